@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# What demo.sh and test.sh share; sourced by both.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+reference_data=${PROOFMASS_REFERENCE_DATA:-$root/../shared/data}
+
+say() { printf '\n== %s\n' "$*"; }
+run() { printf '+ %s\n' "$*" && "$@"; }
+
+# configure PRESET [CMAKE OPTION…]: into build/PRESET. A folder that was configured for another checkout is started
+# afresh; a generator is named only where none has been chosen yet.
+configure() {
+  local preset=$1 cache=build/$1/CMakeCache.txt generator=()
+  shift
+  if ! grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
+    generator=(--fresh)
+    ! command -v ninja >/dev/null || generator+=(-G Ninja)
+  fi
+  run cmake --preset "$preset" "${generator[@]}" -DPROOFMASS_REFERENCE_DATA="$reference_data" "$@"
+}
+
+build() { run cmake --build "build/$1" --parallel "$(nproc)" "${@:2}"; }

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Builds Proofmass and identifies the shipped simulated twin by every method and, where the reference data are, a real
+# sensor. Needs nothing but this checkout on Debian 12.
+# shellcheck source=scripts/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+say "Packages"
+scripts/install-packages.sh
+
+say "Building"
+configure release
+build release
+proofmass=build/release/bin/proofmass
+out=build/demo
+mkdir -p "$out"
+
+say "A simulated record of the twin: $out/run.csv"
+run "$proofmass" simulate data/twin.toml --out "$out/run.csv"
+run "$proofmass" inspect "$out/run.csv"
+
+for method in ols bp pso-bp; do
+  say "The twin's static model by $method"
+  run "$proofmass" identify "$out/run.csv" --method "$method" --model paper --json "$out/twin-$method.json"
+done
+
+positions=$reference_data/positions/imucal_ferraris_6pos.csv
+if [ -f "$positions" ]; then
+  # axis of the triad that is the input axis, then which reference columns are Ai, Ao, Ap
+  for axes in "x gx gy gz" "y gy gz gx" "z gz gx gy"; do
+    read -r axis i o p <<<"$axes"
+    say "A real MEMS triad in six positions: axis $axis"
+    run "$proofmass" identify "$positions" --map "Ai=ref_$i,Ao=ref_$o,Ap=ref_$p,E=a${axis}_raw[count]" \
+      --model linear --split 1 --json "$out/triad-$axis.json"
+  done
+else
+  say "No reference data at $reference_data: the real sensor is left out"
+fi
+
+say "Files written"
+ls -l "$out"
