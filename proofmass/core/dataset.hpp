@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofmass/core/term.hpp"
+#include "proofmass/core/units.hpp"
+
+namespace proofmass {
+
+// A test record as columns (structure of arrays). Every column that is not empty has rows() values.
+struct Dataset {
+  std::array<std::vector<double>, 3> acceleration;  // Ai, Ao, Ap in g; empty where the record lacks the axis
+  std::vector<double> output;                       // E, in output_unit.canonical_symbol()
+  std::array<std::vector<double>, 3>
+      acceleration_sigma;            // standard uncertainties of Ai, Ao, Ap in g; optional
+  std::vector<double> output_sigma;  // standard uncertainty of E, unit as output; optional
+  std::vector<std::string> mount;    // label of the mounting position; optional
+  std::vector<double> temperature;   // T, in temperature_unit; optional
+  std::vector<double> time;          // t, in time_unit; optional
+  std::vector<std::size_t> line;     // line of the file each row came from; empty otherwise
+
+  Unit output_unit;        // as the record declares it
+  Unit acceleration_unit;  // as the record declares it
+  Unit temperature_unit{.quantity = Quantity::temperature, .symbol = "degC", .to_canonical = 1.0};
+  Unit time_unit{.quantity = Quantity::time, .symbol = "s", .to_canonical = 1.0};
+  std::string source;         // file name, or what made the record
+  std::string source_sha256;  // of the file's bytes; empty when not read from a file
+
+  // A record of inputs alone, as for prediction, counts them.
+  [[nodiscard]] std::size_t rows() const noexcept {
+    return output.empty() ? acceleration[0].size() : output.size();
+  }
+  [[nodiscard]] bool has(Axis axis) const noexcept {
+    return !acceleration[static_cast<std::size_t>(axis)].empty();
+  }
+  [[nodiscard]] const std::vector<double>& along(Axis axis) const noexcept {
+    return acceleration[static_cast<std::size_t>(axis)];
+  }
+  // The axes the record has, in the order Ai, Ao, Ap.
+  [[nodiscard]] std::vector<Axis> axes() const;
+  // Specific force of one row; an axis that the record lacks counts as zero.
+  [[nodiscard]] Acceleration at(std::size_t row) const noexcept;
+  // The rows named, in the order named.
+  [[nodiscard]] Dataset select(std::span<const std::size_t> rows) const;
+};
+
+}  // namespace proofmass

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "proofmass/core/utf8.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr std::size_t kLongestExcerpt = 60;  // characters
+
+// The next character of `text` as it may be shown: itself when printable, otherwise its bytes as \xNN.
+std::string printable(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character.front());
+  const bool control = character.size() == 1 && (first < 0x20 || first == 0x7F);
+  const bool c1_control =
+      character.size() == 2 && first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
+  const bool stray = character.size() == 1 && first >= 0x80;
+  if (!control && !c1_control && !stray) return std::string(character);
+  std::string escaped;
+  for (const char byte : character) escaped += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+  return escaped;
+}
+
+std::string excerpt(std::string_view text) {
+  std::string shown;
+  for (std::size_t count = 0; !text.empty(); ++count) {
+    if (count == kLongestExcerpt) return shown + "...";
+    const std::size_t length = std::max<std::size_t>(1, utf8_length(text));
+    shown += printable(text.substr(0, length));
+    text.remove_prefix(length);
+  }
+  return shown;
+}
+
+}  // namespace
+
+Error bad_data(const Place& place, std::string_view found, std::string_view expected) {
+  std::string message = place.file;
+  if (place.row > 0) message += fmt::format(":{}", place.row);
+  message += ": ";
+  if (!place.column.empty()) message += fmt::format("column '{}': ", excerpt(place.column));
+  if (!found.empty()) message += fmt::format("found '{}', ", excerpt(found));
+  message += fmt::format("expected {}", expected);
+  return {ErrorKind::bad_data, message};
+}
+
+Error usage_error(const std::string& message) { return {ErrorKind::usage, message}; }
+
+Error refusal(const std::string& message) { return {ErrorKind::refused, message}; }
+
+int exit_code(ErrorKind kind) noexcept {
+  switch (kind) {
+    case ErrorKind::internal:
+      return 1;
+    case ErrorKind::usage:
+      return 2;
+    case ErrorKind::bad_data:
+      return 3;
+    case ErrorKind::refused:
+      return 4;
+    case ErrorKind::interrupted:
+      return 130;
+  }
+  return 1;
+}
+
+}  // namespace proofmass

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// What identification of a static model yields, whatever the method.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proofmass/core/ending.hpp"
+#include "proofmass/core/static_model.hpp"
+#include "proofmass/core/units.hpp"
+
+namespace proofmass {
+
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+struct Coefficient {
+  Term term = Term::K0;
+  double value = 0.0;  // in the output's canonical unit per g^order; meaningless unless identified
+  std::optional<double> standard_error;  // 1 sigma, same unit
+  std::optional<Interval> ci95;          // two-sided 95 % interval by Student's t
+  std::optional<double> t;               // value / standard error
+  std::optional<double> p;               // two-sided, of the hypothesis that the coefficient is zero
+  std::optional<double> vif;             // variance inflation factor
+  bool identified = true;
+  std::string reason;  // why it is not identified, naming the terms it is confounded with
+};
+
+struct Metrics {
+  std::size_t n = 0;
+  double mae = 0.0;  // in the output's declared unit
+  double mse = 0.0;  // squared
+  double rmse = 0.0;
+  std::optional<double> mape_percent;  // over rows whose measured output is not zero; absent when all are
+  std::optional<double> r2;            // absent when the measured output does not vary
+};
+
+// A named sequence, one value an iteration: a training curve, the swarm's convergence.
+struct Curve {
+  std::string name;
+  std::vector<double> values;
+};
+
+// An ni-H-1 network with tanh hidden layer and linear output, and the min-max scaling of its inputs and
+// output to [-1, 1]. Weights in the order W (unit by unit, ni each), hidden biases, output weights, output
+// bias.
+struct TrainedNetwork {
+  std::vector<Axis> inputs;
+  std::size_t hidden = 0;
+  std::vector<double> weights;
+  std::vector<Interval> input_range;  // learned from the training rows, one an input, in g
+  Interval output_range;              // in the output's canonical unit
+  StaticModel skip{};                 // added to what the network puts out; without terms in a plain network
+};
+
+// A row of the training data that a robust method finds far from the rest.
+struct SuspectRow {
+  std::size_t row = 0;              // among the training rows, from 1
+  std::optional<std::size_t> line;  // of the file, when the record came from one
+  double residual = 0.0;            // measured minus fitted, in the output's canonical unit
+  double scaled_residual = 0.0;     // over the robust scale
+  double weight = 0.0;              // that the row had in the fit; 1 is full
+};
+
+// Figures that say how far the coefficients can be trusted. Absent where a method has no such figure.
+struct Diagnostics {
+  std::optional<double> residual_sd;  // sqrt(RSS / dof), in the output's canonical unit
+  std::optional<std::size_t> dof;     // n - number of parameters
+  std::optional<double> r2_adjusted;
+  std::optional<double> condition_raw;     // 2-norm condition number of the design matrix
+  std::optional<double> condition_scaled;  // the same with columns scaled to unit length
+  // Share of hidden activations with |tanh| > 0.99 over the training rows.
+  std::optional<double> saturated_share;
+  // Rms over the training rows of the model's projection of the network's residual: what the network adds to
+  // least squares' coefficients.
+  std::optional<double> induced_deviation;
+  std::optional<std::size_t> training_epochs;    // of all candidates together
+  std::optional<std::size_t> swarm_evaluations;  // of the swarm's fitness
+  std::optional<std::size_t> models_tried;       // by a search over models
+  std::optional<double> robust_scale;            // of the residuals: the standard deviation, were they normal
+  std::vector<SuspectRow> suspect_rows;          // largest residual first; robust methods only
+  // How far a search without derivatives stays from the least-squares solution that it seeks:
+  std::optional<double> optimum_rmse_ratio;  // its root mean square residual over the least there is
+  std::optional<double> optimum_distance;    // largest coefficient difference, in its standard errors
+  std::vector<std::string> notes;            // what the user must know to read the result
+};
+
+// Where a result came from, enough to make it again.
+struct Provenance {
+  std::string version;
+  std::string input;  // file name
+  std::string input_sha256;
+  std::vector<std::pair<std::string, std::string>> options;  // resolved, in a fixed order
+};
+
+struct Identification {
+  std::string method;
+  std::string model;  // preset name, or the list asked for
+  std::uint64_t seed = 0;
+  Unit output_unit;
+  std::vector<Coefficient> coefficients;  // one a term asked for, canonical order
+  std::vector<double> covariance;         // of the identified coefficients, row-major; empty when unknown
+  std::optional<TrainedNetwork>
+      network;  // what predicts, for network methods; otherwise the static model does
+  std::optional<Metrics> train, validation, test;
+  Ending ending;
+  std::vector<Curve> history;
+  Diagnostics diagnostics;
+  Provenance provenance;
+
+  // The identified coefficients as a model.
+  [[nodiscard]] StaticModel static_model() const;
+};
+
+// The terms of the identified coefficients in the input's own unit: each divided by Ki, standard errors by
+// the delta method with the full covariance where it is known: var(x/Ki) = (var x - 2 r cov(x, Ki) + r^2 var
+// Ki) / Ki^2 with r = x/Ki (JCGM 100:2008, eq. (13)). Units g per g^order. Ki itself becomes exactly 1, by
+// definition and so without a standard error. Intervals keep the coverage factor of the originals; p values
+// are left out. Empty when Ki is not identified, is zero, or is less than five of its standard errors away
+// from it.
+[[nodiscard]] std::vector<Coefficient> referred_to_input(const Identification& result);
+
+}  // namespace proofmass

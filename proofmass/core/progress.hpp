@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace proofmass {
+
+// What a long computation tells its caller, and how the caller stops it. Calls come from one thread at a
+// time.
+class Progress {
+ public:
+  Progress() = default;
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  virtual ~Progress() = default;
+  // `done` of `total` units of work of `stage` are complete.
+  virtual void update(std::string_view stage, std::size_t done, std::size_t total) = 0;
+  // True when the work should stop; the computation then throws an Error of kind interrupted. Any thread may
+  // ask.
+  [[nodiscard]] virtual bool cancelled() const noexcept = 0;
+};
+
+// Reports to nobody and never stops.
+class SilentProgress final : public Progress {
+ public:
+  void update(std::string_view, std::size_t, std::size_t) override {}
+  [[nodiscard]] bool cancelled() const noexcept override { return false; }
+};
+
+}  // namespace proofmass

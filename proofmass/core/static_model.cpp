@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/core/static_model.hpp"
+
+#include <algorithm>
+
+namespace proofmass {
+
+double StaticModel::output(const Acceleration& a) const noexcept {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < terms.size(); ++k) sum += coefficients[k] * regressor(terms[k], a);
+  return sum;
+}
+
+double StaticModel::coefficient(Term term) const noexcept {
+  const auto found = std::find(terms.begin(), terms.end(), term);
+  return found == terms.end() ? 0.0 : coefficients[static_cast<std::size_t>(found - terms.begin())];
+}
+
+}  // namespace proofmass

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "proofmass/core/term.hpp"
+
+namespace proofmass {
+
+// Indicated output E = sum of coefficient * regressor (IEEE Std 1293 model equation). Coefficients are in the
+// output's canonical unit per g to the power of the term's order.
+struct StaticModel {
+  TermList terms;
+  std::vector<double> coefficients;  // one a term
+
+  [[nodiscard]] double output(const Acceleration& a) const noexcept;
+  // The coefficient of a term; 0 when the model lacks it.
+  [[nodiscard]] double coefficient(Term term) const noexcept;
+};
+
+}  // namespace proofmass
