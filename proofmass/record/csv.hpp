@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "proofmass/core/dataset.hpp"
+
+namespace proofmass {
+
+struct ReadOptions {
+  // Contract column -> the file's column: {"Ai", "ax"}, from --map Ai=ax. The file's column may be named by
+  // its whole header, "ax[m/s^2]"; where its header has no unit, "ax[counts]" also says the unit.
+  std::map<std::string, std::string> rename = {};
+  bool require_output = true;  // false for predict, whose records have inputs alone
+};
+
+// Reads a test record in the format of docs/file-formats.md; "-" reads standard input. Values come out in
+// canonical units. Throws a bad-data Error naming file, row, column, what was found and what was expected; a
+// usage Error when `rename` names no column of the contract or takes one column of the file twice.
+[[nodiscard]] Dataset read_record(const std::filesystem::path& path, const ReadOptions& options = {});
+
+}  // namespace proofmass

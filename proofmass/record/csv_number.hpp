@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace proofmass {
+
+enum class NumberFault { none, not_a_number, not_finite, out_of_range };
+
+struct ScannedNumber {
+  double value = 0.0;
+  const char* end = nullptr;  // first character after the number
+  NumberFault fault = NumberFault::none;
+};
+
+// Reads the decimal number that begins at `first`, correctly rounded; a leading '+' is allowed, blanks are
+// not.
+[[nodiscard]] ScannedNumber scan_number(const char* first, const char* last) noexcept;
+
+// The fault of a field that should hold one number and nothing else.
+[[nodiscard]] NumberFault number_fault(std::string_view field) noexcept;
+
+// What was expected instead of a faulty field, for an error message.
+[[nodiscard]] std::string expected_number(std::string_view field, NumberFault fault);
+
+}  // namespace proofmass

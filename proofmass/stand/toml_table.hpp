@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proofmass/core/error.hpp"
+
+namespace proofmass {
+
+// A table of a TOML file, read strictly: every getter returns nothing when the key is absent and throws a
+// bad-data Error naming file, line and key when its value is of another type; finish() throws on keys that
+// nobody asked for.
+class TomlTable {
+ public:
+  // The root table. Throws a bad-data Error when the file cannot be read or is not TOML.
+  [[nodiscard]] static TomlTable read(const std::filesystem::path& path);
+  // The same from text; `name` stands for the file in messages.
+  [[nodiscard]] static TomlTable parse(std::string_view text, const std::string& name);
+
+  [[nodiscard]] std::optional<double> number(
+      std::string_view key) const;  // finite; integers count as numbers
+  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key) const;
+  [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
+  [[nodiscard]] std::optional<bool> boolean(std::string_view key) const;
+  [[nodiscard]] std::optional<std::vector<double>> numbers(std::string_view key) const;
+  [[nodiscard]] std::optional<TomlTable> table(std::string_view key) const;
+  [[nodiscard]] std::optional<std::vector<TomlTable>> tables(std::string_view key) const;  // [[key]]
+
+  [[nodiscard]] std::vector<std::string> keys() const;  // in alphabetical order
+
+  // What is wrong with the value of a key, or with its absence, or (empty key) with the table itself.
+  [[nodiscard]] Error error(std::string_view key, std::string_view expected) const;
+
+  // Throws when the table has a key that no getter was called for.
+  void finish() const;
+
+ private:
+  struct State;
+  explicit TomlTable(std::shared_ptr<State> state);
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace proofmass
