@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/hybrid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/method.hpp"
+#include "proofmass/identify/ols.hpp"
+#include "proofmass/pipeline.hpp"
+#include "proofmass/stand/simulation.hpp"
+#include "proofmass/stand/simulation_file.hpp"
+
+namespace proofmass {
+namespace {
+
+Dataset twin(const std::string& name, std::uint64_t seed) {
+  const SimulationPlan plan = read_simulation(std::string(PROOFMASS_SOURCE_DIR) + "/data/" + name);
+  return simulate(plan, plan.rows, seed);
+}
+
+IdentifyOptions full_model(std::uint64_t seed) {
+  IdentifyOptions options;
+  options.terms = parse_terms("full");
+  options.seed = seed;
+  return options;
+}
+
+TEST(Hybrid, IsLeastSquaresWhereTheModelIsRight) {
+  SilentProgress progress;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Dataset record = twin("twin-10ug.toml", seed);
+    const Identification hybrid = identify_hybrid(record, {}, full_model(seed), progress);
+    const Identification ols = identify_ols(record, {}, full_model(seed), progress);
+    EXPECT_FALSE(hybrid.network.has_value()) << "seed " << seed << ": " << hybrid.ending.reason;
+    for (std::size_t k = 0; k < ols.coefficients.size(); ++k) {
+      EXPECT_NEAR(hybrid.coefficients[k].value, ols.coefficients[k].value,
+                  1e-6 * *ols.coefficients[k].standard_error);
+    }
+  }
+}
+
+TEST(Hybrid, PredictsUnmodelledStructureToTheNoise) {
+  SilentProgress progress;
+  const double sigma = 1e-5;  // g, of twin-unmodelled.toml
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Dataset record = twin("twin-unmodelled.toml", seed);
+    const Identification hybrid = run(record, find_method("hybrid"), full_model(seed), {}, progress);
+    const Identification ols = run(record, find_method("ols"), full_model(seed), {}, progress);
+    // 600 test rows: the noise's own rms varies by 3 % (one sigma), alike for both methods.
+    EXPECT_LT(hybrid.test->rmse / sigma, 1.05 + 0.06) << "seed " << seed;
+    EXPECT_GT(ols.test->rmse / hybrid.test->rmse, 1.1) << "seed " << seed;
+    ASSERT_TRUE(hybrid.network.has_value());
+    EXPECT_EQ(hybrid.network->skip.terms.size(), 20U);
+  }
+}
+
+TEST(Hybrid, NeedsTheBias) {
+  SilentProgress progress;
+  IdentifyOptions options;
+  options.terms = parse_terms("Ki,Kii");
+  EXPECT_THROW((void)identify_hybrid(twin("twin-10ug.toml", 1), {}, options, progress), Error);
+}
+
+}  // namespace
+}  // namespace proofmass

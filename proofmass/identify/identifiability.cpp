@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/identifiability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/design_matrix.hpp"
+#include "proofmass/numeric/rank_analysis.hpp"
+
+namespace proofmass {
+namespace {
+
+// What a computed zero leaves: a mount at 90 degrees gives its other axis 70 g * cos(pi/2) = 4e-15 g.
+constexpr double kRoundingZero = 64.0 * std::numeric_limits<double>::epsilon();
+
+TermList lower_orders_first(TermList terms) {
+  std::stable_sort(terms.begin(), terms.end(),
+                   [](Term a, Term b) { return info(a).order() < info(b).order(); });
+  return terms;
+}
+
+double largest_magnitude(std::span<const double> values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+// The largest |Ai|, |Ao|, |Ap|, with zero for an axis that holds nothing but rounding beside the others.
+std::array<double, 3> axis_ranges(const Dataset& data) {
+  std::array<double, 3> ranges{};
+  for (const Axis axis : kAxes) ranges[static_cast<std::size_t>(axis)] = largest_magnitude(data.along(axis));
+  const double overall = *std::max_element(ranges.begin(), ranges.end());
+  for (double& range : ranges) range = range > kRoundingZero * overall ? range : 0.0;
+  return ranges;
+}
+
+// Makes columns zero that are so but for rounding; scaling to unit length would blow rounding up to a
+// regressor.
+void clear_rounding(Matrix& design, const TermList& terms, const std::array<double, 3>& ranges) {
+  for (std::size_t c = 0; c < terms.size(); ++c) {
+    const double attainable = std::abs(regressor(terms[c], {.i = ranges[0], .o = ranges[1], .p = ranges[2]}));
+    const auto column = design.column(c);
+    if (largest_magnitude(column) <= kRoundingZero * attainable || attainable == 0.0) {
+      std::fill(column.begin(), column.end(), 0.0);
+    }
+  }
+}
+
+std::string zero_reason(Term term, const Dataset& data, const std::array<double, 3>& ranges) {
+  for (const Axis axis : kAxes) {
+    if (info(term).uses(axis) && !data.has(axis)) {
+      return fmt::format("the record has no column {}", axis_name(axis));
+    }
+  }
+  for (const Axis axis : kAxes) {
+    if (info(term).uses(axis) && ranges[static_cast<std::size_t>(axis)] == 0.0) {
+      return fmt::format("{} is zero in every row", axis_name(axis));
+    }
+  }
+  return fmt::format("{} is zero in every row", info(term).product);
+}
+
+std::string confounded_reason(Term term, const TermList& others) {
+  const auto product = info(term).product;
+  if (others == TermList{Term::K0}) {
+    return fmt::format("confounded with K0: {} is the same in every row", product);
+  }
+  if (others.size() == 1) {
+    return fmt::format("confounded with {}: over these rows {} is proportional to {}", join_names(others),
+                       product, info(others.front()).product);
+  }
+  std::string products;
+  for (const Term other : others)
+    products += fmt::format("{}{}", products.empty() ? "" : ", ", info(other).product);
+  return fmt::format("confounded with {}: over these rows {} is a combination of {}", join_names(others),
+                     product, products);
+}
+
+std::string loss_reason(const Unidentifiable& lost, const Dataset& data,
+                        const std::array<double, 3>& ranges) {
+  if (lost.confounded_with.empty()) return zero_reason(lost.term, data, ranges);
+  return confounded_reason(lost.term, lost.confounded_with);
+}
+
+// The terms other than `lost` that the vanishing combination holds.
+TermList support(const std::vector<double>& combination, const TermList& terms, Term lost, double threshold) {
+  TermList others;
+  for (std::size_t c = 0; c < terms.size(); ++c) {
+    if (terms[c] != lost && std::abs(combination[c]) > threshold) others.push_back(terms[c]);
+  }
+  std::sort(others.begin(), others.end());
+  return others;
+}
+
+std::string loss_message(const Dataset& data, const TermList& terms, const Identifiability& found) {
+  std::string message =
+      fmt::format("{}: the inputs cannot identify {} of the {} terms asked for:", data.source,
+                  found.lost.size(), terms.size());
+  for (const auto& lost : found.lost) message += fmt::format("\n  {}: {}", name(lost.term), lost.reason);
+  return message +
+         "\nfit without them (--on-rank-loss drop), ask for fewer terms (--terms), or test in more mounts";
+}
+
+void require_rows(const Dataset& data, const TermList& terms) {
+  const std::size_t needed = terms.size() + 1;
+  if (data.rows() >= needed) return;
+  throw bad_data({.file = data.source, .row = 0, .column = {}}, fmt::format("{} rows to fit", data.rows()),
+                 fmt::format("at least {}, one more than the {} terms asked for ({})", needed, terms.size(),
+                             join_names(terms)));
+}
+
+// Beyond these, squares and cubes leave the range of double precision and take standard errors with them.
+constexpr double kLargestAcceleration = 1e40;  // g
+constexpr double kLargestOutput = 1e100;
+
+void require_size(const std::vector<double>& values, double limit, const Dataset& data,
+                  std::string_view column) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  if (largest == 0.0 || (largest <= limit && largest >= 1.0 / limit)) return;
+  throw bad_data({.file = data.source, .row = 0, .column = std::string(column)},
+                 fmt::format("values up to {:.3g}", largest),
+                 fmt::format("values whose largest is between {:.0g} and {:.0g}", 1.0 / limit, limit));
+}
+
+void require_plausible_sizes(const Dataset& data) {
+  for (const Axis axis : data.axes())
+    require_size(data.along(axis), kLargestAcceleration, data, axis_name(axis));
+  require_size(data.output, kLargestOutput, data, "E");
+}
+
+void require_varying_output(const Dataset& data) {
+  const auto [low, high] = std::minmax_element(data.output.begin(), data.output.end());
+  if (*low < *high) return;
+  throw bad_data({.file = data.source, .row = 0, .column = "E"}, fmt::format("{} in every row", *low),
+                 "an output that varies with the input");
+}
+
+}  // namespace
+
+Identifiability analyse_identifiability(const Dataset& data, const TermList& terms) {
+  const TermList ordered = lower_orders_first(terms);
+  Matrix design = design_matrix(data, ordered);
+  const auto ranges = axis_ranges(data);
+  clear_rounding(design, ordered, ranges);
+  const RankAnalysis analysis = analyse_rank(design);
+
+  Identifiability result{.identified = {},
+                         .lost = {},
+                         .condition_raw = analysis.condition_raw,
+                         .condition_scaled = analysis.condition_scaled};
+  // Rounding in a combination's elements grows with the condition of the columns it is made of.
+  const double threshold = std::max(1e-12, kRoundingZero * analysis.condition_scaled);
+  for (std::size_t c = 0, next_lost = 0; c < ordered.size(); ++c) {
+    const Term term = ordered[c];
+    if (std::binary_search(analysis.independent.begin(), analysis.independent.end(), c)) {
+      result.identified.push_back(term);
+      continue;
+    }
+    const auto& combination = analysis.null_space[next_lost++];
+    Unidentifiable lost{
+        .term = term, .confounded_with = support(combination, ordered, term, threshold), .reason = {}};
+    lost.reason = analysis.rank == data.rows() && !lost.confounded_with.empty()
+                      ? fmt::format("{} rows settle no more than {} terms", data.rows(), data.rows())
+                      : loss_reason(lost, data, ranges);
+    result.lost.push_back(std::move(lost));
+  }
+  std::sort(result.identified.begin(), result.identified.end());
+  std::sort(result.lost.begin(), result.lost.end(),
+            [](const auto& a, const auto& b) { return a.term < b.term; });
+  return result;
+}
+
+Identifiability require_identifiable(const Dataset& data, const TermList& terms, RankLossPolicy policy) {
+  if (terms.empty()) throw usage_error("no terms to identify; ask for at least one");
+  require_plausible_sizes(data);
+  require_rows(data, terms);
+  require_varying_output(data);
+  Identifiability found = analyse_identifiability(data, terms);
+  const bool refused = policy == RankLossPolicy::refuse ? !found.lost.empty() : found.identified.empty();
+  if (refused) throw refusal(loss_message(data, terms, found));
+  return found;
+}
+
+}  // namespace proofmass

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/method.hpp"
+
+#include <array>
+#include <string>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/afsa.hpp"
+#include "proofmass/identify/bp.hpp"
+#include "proofmass/identify/eiv.hpp"
+#include "proofmass/identify/gmdh.hpp"
+#include "proofmass/identify/hybrid.hpp"
+#include "proofmass/identify/network_data.hpp"
+#include "proofmass/identify/ols.hpp"
+#include "proofmass/identify/pso_bp.hpp"
+#include "proofmass/identify/robust.hpp"
+#include "proofmass/identify/tls.hpp"
+#include "proofmass/identify/wls.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr std::array kMethods{
+    Method{"ols", "ordinary least squares on the terms of the static model", false, true, identify_ols},
+    Method{"wls", "least squares weighted by sigma_E, or by noise found to grow with |A|", false, true,
+           identify_wls},
+    Method{"robust", "M-estimation that holds outliers down (--loss) and lists them", false, true,
+           identify_robust},
+    Method{"bp", "a tanh network trained by back-propagation (Levenberg-Marquardt)", true, false,
+           identify_bp},
+    Method{"pso-bp", "a tanh network whose initial weights come from a particle swarm", true, false,
+           identify_pso_bp},
+    Method{"tls", "mixed least squares and total least squares; a reference, biased for powers", false, true,
+           identify_tls},
+    Method{"eiv", "errors in variables: true accelerations found along with the coefficients", false, true,
+           identify_eiv},
+    Method{"hybrid", "static model and network together, hidden units chosen by evidence", false, true,
+           identify_hybrid},
+    Method{"gmdh", "terms or polynomial network chosen by an external criterion", false, true, identify_gmdh},
+    Method{"afsa", "an artificial fish swarm over the coefficients; a reference for ols", false, false,
+           identify_afsa},
+};
+
+}  // namespace
+
+std::span<const Method> methods() noexcept { return kMethods; }
+
+const Method& find_method(std::string_view name) {
+  std::string known;
+  for (const Method& method : kMethods) {
+    if (method.name == name) return method;
+    known += (known.empty() ? "" : ", ") + std::string(method.name);
+  }
+  throw usage_error("unknown method '" + std::string(name) + "'; expected one of " + known);
+}
+
+std::vector<double> predict(const Identification& fit, const Dataset& inputs) {
+  if (fit.network) return network_outputs(*fit.network, inputs);
+  for (const Method& method : kMethods) {
+    if (method.name == fit.method && method.predicts_by_network) {
+      throw bad_data({.file = {}, .row = 0, .column = {}},
+                     "a result of " + fit.method + " without its network",
+                     "the network, which alone predicts as the fit did");
+    }
+  }
+  const StaticModel model = fit.static_model();
+  for (const Term term : model.terms) {
+    for (const Axis axis : kAxes) {
+      if (info(term).uses(axis) && !inputs.has(axis)) {
+        throw bad_data(
+            {.file = inputs.source, .column = std::string(axis_name(axis))}, "",
+            "a column with the specific force that the term " + std::string(name(term)) + " needs");
+      }
+    }
+  }
+  std::vector<double> outputs(inputs.rows());
+  for (std::size_t r = 0; r < outputs.size(); ++r) outputs[r] = model.output(inputs.at(r));
+  return outputs;
+}
+
+}  // namespace proofmass

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/ols.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/design_matrix.hpp"
+#include "proofmass/identify/identifiability.hpp"
+#include "proofmass/identify/static_fit.hpp"
+#include "proofmass/numeric/least_squares.hpp"
+
+namespace proofmass {
+namespace {
+
+Matrix scaled(Matrix matrix, double factor) {
+  for (std::size_t c = 0; c < matrix.columns(); ++c) {
+    for (double& value : matrix.column(c)) value *= factor;
+  }
+  return matrix;
+}
+
+}  // namespace
+
+Identification identify_ols(const Dataset& training, const Dataset& /*validation*/,
+                            const IdentifyOptions& options, Progress& progress) {
+  progress.update("least squares", 0, 1);
+  const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
+  if (progress.cancelled())
+    throw Error(ErrorKind::interrupted, "interrupted before the least-squares solution");
+  LeastSquaresFit solution = solve_least_squares(design_matrix(training, found.identified), training.output);
+  const double variance = solution.rss / static_cast<double>(solution.dof);
+  const StaticFit fit{.coefficients = std::move(solution.coefficients),
+                      .covariance = scaled(std::move(solution.unscaled_covariance), variance),
+                      .vif = std::move(solution.vif)};
+
+  Identification result = make_identification("ols", training, options, found, fit);
+  add_residual_figures(result.diagnostics, training, solution.rss, found.identified.size());
+  result.diagnostics.notes.emplace_back(
+      "standard errors assume exact inputs and output noise that is white with the same variance in every "
+      "row");
+  if (!training.output_sigma.empty()) {
+    result.diagnostics.notes.emplace_back(
+        "sigma_E is not used: ordinary least squares weighs all rows alike");
+  }
+  result.ending = {.status = EndingStatus::direct,
+                   .reason = fmt::format("solved directly by QR: {} rows, {} coefficients", training.rows(),
+                                         found.identified.size())};
+  progress.update("least squares", 1, 1);
+  return result;
+}
+
+}  // namespace proofmass

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/swarm_fitness.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "proofmass/identify/network_trainer.hpp"
+#include "proofmass/numeric/perceptron_kernels.hpp"
+
+namespace proofmass {
+
+SwarmFitnessFunction::SwarmFitnessFunction(const PerceptronShape& shape, const Samples& samples,
+                                           const IdentifyOptions& options, const Progress& progress)
+    : shape_(shape),
+      samples_(samples),
+      network_(options.network),
+      fitness_(options.swarm.fitness),
+      fitness_epochs_(options.swarm.fitness_epochs),
+      progress_(progress) {
+  network_.trainer = Trainer::lm;
+}
+
+double SwarmFitnessFunction::operator()(std::span<const double> position) const {
+  if (fitness_ == SwarmFitness::separable) return separable(position);
+  if (fitness_ == SwarmFitness::trained) return trained(position);
+  return std::sqrt(perceptron_sse(shape_, position, samples_) / static_cast<double>(samples_.rows()));
+}
+
+double SwarmFitnessFunction::separable(std::span<const double> position) const {
+  std::unique_ptr<SeparablePerceptron> problem;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      problem = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!problem) problem = std::make_unique<SeparablePerceptron>(shape_, samples_);
+  const double value = std::sqrt(problem->evaluate(position) / static_cast<double>(samples_.rows()));
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(problem));
+  return value;
+}
+
+double SwarmFitnessFunction::trained(std::span<const double> position) const {
+  const NetworkTrainer trainer(shape_, samples_, nullptr, network_);
+  TrainingState state = trainer.start({position.begin(), position.end()});
+  trainer.train(state, fitness_epochs_, [this] { return !progress_.cancelled(); });
+  epochs_ += state.epochs;
+  return state.training_rmse;
+}
+
+}  // namespace proofmass

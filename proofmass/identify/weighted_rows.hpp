@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "proofmass/core/dataset.hpp"
+#include "proofmass/identify/identifiability.hpp"
+
+namespace proofmass {
+
+// Rows whose weight is below this share of the largest tell nothing: their square roots are the factors of
+// the rows, and 1e-8 of the scale is where rows begin to vanish in the rounding of the others.
+inline constexpr double kNoWeight = 1e-16;
+
+// What `found` becomes when rows without weight are left out: itself when the others still identify every
+// term. Otherwise throws a refusal that names each lost term, or, when the policy is drop, moves them to the
+// lost ones. `weights`: one a row, not negative.
+[[nodiscard]] Identifiability require_identifiable_by_weight(const Dataset& data,
+                                                             const Identifiability& found,
+                                                             std::span<const double> weights,
+                                                             RankLossPolicy policy);
+
+}  // namespace proofmass

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/wls.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/design_matrix.hpp"
+#include "proofmass/identify/identifiability.hpp"
+#include "proofmass/identify/static_fit.hpp"
+#include "proofmass/identify/weighted_rows.hpp"
+#include "proofmass/numeric/growing_variance.hpp"
+#include "proofmass/numeric/least_squares.hpp"
+#include "proofmass/numeric/weighted_least_squares.hpp"
+
+namespace proofmass {
+namespace {
+
+// Standard deviations of chi²/dof, sqrt(2/dof), beyond which a note doubts the sigmas.
+constexpr double kDoubt = 4.0;
+
+// A weighted fit, the variance that turns its unscaled covariance into the covariance, and what to say.
+struct Weighted {
+  WeightedFit fit;
+  double variance = 0.0;
+  Ending ending;
+  std::vector<std::string> notes;
+};
+
+// 1 / sigma_E² over its mean.
+std::vector<double> sigma_weights(const Dataset& training) {
+  std::vector<double> weights;
+  weights.reserve(training.rows());
+  for (std::size_t row = 0; row < training.rows(); ++row) {
+    const double sigma = training.output_sigma[row];
+    if (!(sigma > 0.0) || !std::isfinite(sigma)) {
+      const std::size_t line = training.line.empty() ? 0 : training.line[row];
+      throw bad_data(
+          {.file = training.source, .row = line, .column = "sigma_E"}, fmt::format("{}", sigma),
+          "a standard uncertainty above zero; or leave weights to the residuals with --weights model");
+    }
+    weights.push_back(1.0 / (sigma * sigma));
+  }
+  double mean = 0.0;
+  for (const double weight : weights) mean += weight / static_cast<double>(weights.size());
+  for (double& weight : weights) weight /= mean;
+  return weights;
+}
+
+std::string chi_square_note(double ratio, double dof, ChiSquareScaling scaling) {
+  std::string note = fmt::format("chi²/dof = {:.5g} (about 1 ± {:.2g} when sigma_E is right); ", ratio,
+                                 std::sqrt(2.0 / dof));
+  note += scaling == ChiSquareScaling::given
+              ? fmt::format(
+                    "standard errors take sigma_E as given; scaled to the residuals (--sigma-scale "
+                    "chi2) they are {:.5g} times as large",
+                    std::sqrt(ratio))
+              : fmt::format(
+                    "standard errors are scaled to the residuals; with sigma_E taken as given "
+                    "(--sigma-scale given) they are {:.5g} times as large",
+                    1.0 / std::sqrt(ratio));
+  if (std::abs(ratio - 1.0) > kDoubt * std::sqrt(2.0 / dof)) {
+    note += ratio > 1.0
+                ? ". The residuals are larger than sigma_E allows: it is too small, or the model lacks "
+                  "terms, or there are outliers"
+                : ". The residuals are smaller than sigma_E says: it is too large";
+  }
+  return note;
+}
+
+Weighted fit_by_sigma(const Dataset& training, const TermList& terms, const std::vector<double>& weights,
+                      const WlsOptions& options) {
+  Weighted result;
+  result.fit = solve_weighted_least_squares(design_matrix(training, terms), training.output, weights);
+  const auto dof = static_cast<double>(training.rows() - terms.size());
+  // The variance that weight 1 stands for; any row tells it.
+  const double unit_variance =
+      weights.front() * training.output_sigma.front() * training.output_sigma.front();
+  const double ratio = result.fit.weighted_rss / dof / unit_variance;
+  result.variance = options.scaling == ChiSquareScaling::given ? unit_variance : unit_variance * ratio;
+  result.notes.emplace_back("weights are 1 / sigma_E² from the record");
+  result.notes.push_back(chi_square_note(ratio, dof, options.scaling));
+  result.ending = {.status = EndingStatus::direct,
+                   .reason = fmt::format("solved directly by QR: {} weighted rows, {} coefficients",
+                                         training.rows(), terms.size())};
+  return result;
+}
+
+// |A|² over the axes that the record has.
+std::vector<double> squared_magnitudes(const Dataset& training) {
+  std::vector<double> squares(training.rows());
+  for (std::size_t row = 0; row < squares.size(); ++row) {
+    const Acceleration a = training.at(row);
+    squares[row] = a.i * a.i + a.o * a.o + a.p * a.p;
+  }
+  return squares;
+}
+
+std::string axes_text(const Dataset& training) {
+  std::string text;
+  for (const Axis axis : training.axes())
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", axis_name(axis));
+  return text;
+}
+
+Weighted fit_by_model(const Dataset& training, const TermList& terms, const WlsOptions& options) {
+  GrowingVarianceFit fit =
+      fit_growing_variance(design_matrix(training, terms), training.output, squared_magnitudes(training),
+                           {.iterations = options.iterations});
+  Weighted result;
+  const std::string unit = training.output_unit.canonical_symbol();
+  result.notes.push_back(fmt::format(
+      "weights are from the residuals by restricted maximum likelihood: sigma² = s0² + s1² |A|², s0 = {:.5g} "
+      "{}, s1 = {:.5g} {}/g, |A| over {}",
+      std::sqrt(fit.base), unit, std::sqrt(fit.slope), unit, axes_text(training)));
+  if (fit.slope == 0.0) {
+    result.notes.emplace_back(
+        "the residuals show no growth with |A|, or |A| is the same in every row: all rows weigh alike, the "
+        "result is that of ols");
+  }
+  result.variance = fit.variance;
+  result.ending = {.status = fit.termination.cause == Cause::converged ? EndingStatus::converged
+                                                                       : EndingStatus::iteration_limit,
+                   .reason = std::move(fit.termination.reason)};
+  result.fit = std::move(fit.fit);
+  return result;
+}
+
+bool uses_sigma(const Dataset& training, WeightSource source) {
+  if (source == WeightSource::sigma && training.output_sigma.empty()) {
+    throw bad_data({.file = training.source, .row = 0, .column = "sigma_E"}, "",
+                   "a column with the standard uncertainty of E in each row; or --weights model");
+  }
+  return source != WeightSource::model && !training.output_sigma.empty();
+}
+
+StaticFit static_fit(const Dataset& training, const TermList& terms, const Weighted& weighted) {
+  Matrix covariance = weighted.fit.unscaled_covariance;
+  for (std::size_t c = 0; c < covariance.columns(); ++c) {
+    for (double& value : covariance.column(c)) value *= weighted.variance;
+  }
+  return {.coefficients = weighted.fit.coefficients,
+          .covariance = std::move(covariance),
+          .vif = solve_least_squares(design_matrix(training, terms), training.output).vif};
+}
+
+}  // namespace
+
+Identification identify_wls(const Dataset& training, const Dataset& /*validation*/,
+                            const IdentifyOptions& options, Progress& progress) {
+  progress.update("weighted least squares", 0, 1);
+  const bool by_sigma = uses_sigma(training, options.wls.weights);
+  Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
+  if (progress.cancelled())
+    throw Error(ErrorKind::interrupted, "interrupted before the weighted least-squares solution");
+  Weighted weighted;
+  if (by_sigma) {
+    const std::vector<double> weights = sigma_weights(training);
+    found = require_identifiable_by_weight(training, found, weights, options.on_rank_loss);
+    weighted = fit_by_sigma(training, found.identified, weights, options.wls);
+  } else {
+    weighted = fit_by_model(training, found.identified, options.wls);
+  }
+
+  Identification result =
+      make_identification("wls", training, options, found, static_fit(training, found.identified, weighted));
+  add_residual_figures(result.diagnostics, training, weighted.fit.rss, found.identified.size());
+  auto& notes = result.diagnostics.notes;
+  notes.insert(notes.end(), weighted.notes.begin(), weighted.notes.end());
+  notes.emplace_back(
+      "standard errors assume exact inputs and independent output noise whose variance is as said; residual "
+      "sd is over all rows alike");
+  if (!by_sigma && !training.output_sigma.empty()) {
+    notes.emplace_back("sigma_E is not used: weights were asked for from the residuals");
+  }
+  result.ending = std::move(weighted.ending);
+  progress.update("weighted least squares", 1, 1);
+  return result;
+}
+
+}  // namespace proofmass
