@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Methods side by side on one record.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "proofmass/core/identification.hpp"
+#include "proofmass/core/static_model.hpp"
+
+namespace proofmass {
+
+// Mean and standard deviation over repeats; the latter is absent with one repeat.
+struct Spread {
+  double mean = 0.0;
+  std::optional<double> sd;
+};
+[[nodiscard]] Spread spread_of(std::span<const double> values);
+
+// Metrics of one part of the record over the repeats.
+struct MetricSpreads {
+  Spread mae, mse, rmse;
+  std::optional<Spread> mape_percent, r2;  // absent when some repeat lacks them
+};
+
+// How far the coefficients are from a known truth, over terms and repeats.
+struct TruthScore {
+  std::optional<double>
+      rms_over_standard_error;           // rms of error / standard error; absent without standard errors
+  std::optional<double> rms_over_bound;  // rms of error / Cramér-Rao bound; absent without a bound
+  double largest_error = 0.0;            // |error|, in the coefficient's unit
+  Term largest_term = Term::K0;          // where
+};
+
+// What one method came to: its runs, one a repeat, and their summary.
+struct Contestant {
+  std::string method;
+  std::vector<Identification> runs;
+  std::vector<double> seconds;  // of each run, wall clock
+  std::optional<MetricSpreads> train, test;
+  Spread time;                   // s
+  std::optional<Spread> epochs;  // training iterations; absent for methods without
+  std::optional<TruthScore> truth;
+};
+
+struct Comparison {
+  std::string input;
+  std::uint64_t seed = 0;  // of the first repeat; repeat r uses seed + r, for all methods alike
+  std::size_t repeats = 1;
+  double training_share = 0.7;
+  std::vector<Contestant> contestants;
+};
+
+// Fills the summary of a contestant from its runs and times.
+void summarise(Contestant& contestant);
+
+// Coefficients against the truth (same units). `bound` has the Cramér-Rao bound of each run's identified
+// coefficients, a vector a run in the order of its coefficients, or is empty.
+[[nodiscard]] TruthScore score_against(const StaticModel& truth, std::span<const Identification> runs,
+                                       std::span<const std::vector<double>> bound);
+
+}  // namespace proofmass

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as text for people: as many digits as mean something.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace proofmass {
+
+// The value to two digits of its standard error: uncertain_text(0.99997900123, 2.2e-9) is "0.9999790012".
+// Between 3 and 15 significant digits; six without a standard error.
+[[nodiscard]] std::string uncertain_text(double value, const std::optional<double>& standard_error);
+
+// `digits` significant digits, trailing zeros kept: "1.500e-06", "12.30".
+[[nodiscard]] std::string significant_text(double value, int digits);
+
+// "13.0617 ± 0.0224": both with the decimals that show two digits of the error.
+[[nodiscard]] std::string plus_minus_text(double value, double standard_error);
+
+}  // namespace proofmass
