@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common_flags.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <utility>
+
+#include "proofmass/core/error.hpp"
+
+namespace proofmass::cli {
+namespace {
+
+// Like std::from_chars, and the text must be a number to its end.
+template <typename Number>
+bool parse(std::string_view text, Number& number) {
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return status == std::errc{} && end == text.data() + text.size();
+}
+
+std::string range_text(const Bounds& bounds) {
+  if (bounds.above_low) return fmt::format("more than {} and at most {}", bounds.low, bounds.high);
+  return fmt::format("from {} to {}", bounds.low, bounds.high);
+}
+
+constexpr std::uint64_t kMostThreads = 1024;
+
+}  // namespace
+
+double real_number(std::string_view option, std::string_view text, const Bounds& bounds) {
+  double number = 0.0;
+  const bool good = parse(text, number) && number <= bounds.high &&
+                    (bounds.above_low ? number > bounds.low : number >= bounds.low);
+  if (!good) {
+    throw usage_error(fmt::format("{}: found '{}', expected a number {}", option, text, range_text(bounds)));
+  }
+  return number;
+}
+
+std::uint64_t whole_number(std::string_view option, std::string_view text, std::uint64_t low,
+                           std::uint64_t high) {
+  std::uint64_t number = 0;
+  if (!parse(text, number) || number < low || number > high) {
+    throw usage_error(
+        fmt::format("{}: found '{}', expected a whole number from {} to {}", option, text, low, high));
+  }
+  return number;
+}
+
+void add_real(CLI::App& verb, const std::string& option, const Bounds& bounds, const std::string& help,
+              std::function<void(double)> set) {
+  const auto take = [option, bounds, set = std::move(set)](const std::string& text) {
+    set(real_number(option, text, bounds));
+  };
+  verb.add_option_function<std::string>(option, take, help)->type_name("X");
+}
+
+void add_whole(CLI::App& verb, const std::string& option, std::uint64_t low, std::uint64_t high,
+               const std::string& help, std::function<void(std::uint64_t)> set) {
+  const auto take = [option, low, high, set = std::move(set)](const std::string& text) {
+    set(whole_number(option, text, low, high));
+  };
+  verb.add_option_function<std::string>(option, take, help)->type_name("N");
+}
+
+void add_common(CLI::App& verb, CommonFlags& flags) {
+  verb.add_flag("--quiet", flags.quiet, "No progress on standard error");
+  add_whole(verb, "--threads", 0, kMostThreads, "At most N threads; 0, the default, is one for every core",
+            [&flags](std::uint64_t n) { flags.threads = n; });
+}
+
+void add_map(CLI::App& verb, std::vector<std::string>& map) {
+  verb.add_option("--map", map,
+                  "Columns of the record by another name, as Ai=ax,E=out; E=out[mA] also says the unit of a "
+                  "column whose header does not")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME=COLUMN,...");
+}
+
+CLI::Option* add_output(CLI::App& verb, const std::string& option, std::string& path,
+                        const std::string& help) {
+  const auto take = [option, &path](const std::string& text) {
+    if (text.empty())
+      throw usage_error(fmt::format("{}: found an empty name, expected a file or folder", option));
+    path = text;
+  };
+  return verb.add_option_function<std::string>(option, take, help);
+}
+
+void add_json(CLI::App& verb, std::string& path) {
+  add_output(verb, "--json", path,
+             "Write the result as JSON to FILE; - is standard output, in place of the table")
+      ->type_name("FILE");
+}
+
+std::map<std::string, std::string> renames(const std::vector<std::string>& map) {
+  std::map<std::string, std::string> columns;
+  for (const std::string& entry : map) {
+    const std::size_t equals = entry.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == entry.size()) {
+      throw usage_error(fmt::format("--map: found '{}', expected NAME=COLUMN, as Ai=ax", entry));
+    }
+    if (!columns.emplace(entry.substr(0, equals), entry.substr(equals + 1)).second) {
+      throw usage_error(fmt::format("--map: '{}' is given twice", entry.substr(0, equals)));
+    }
+  }
+  return columns;
+}
+
+}  // namespace proofmass::cli

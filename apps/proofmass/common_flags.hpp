@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "proofmass/record/csv.hpp"
+
+namespace proofmass::cli {
+
+struct CommonFlags {
+  bool quiet = false;
+  std::size_t threads = 0;  // 0: one for every core
+};
+
+void add_common(CLI::App& verb, CommonFlags& flags);
+void add_map(CLI::App& verb, std::vector<std::string>& map);
+// An option that names what to write, which must not be empty.
+CLI::Option* add_output(CLI::App& verb, const std::string& option, std::string& path,
+                        const std::string& help);
+void add_json(CLI::App& verb, std::string& path);
+
+// "Ai=ax" of --map as the reader takes them. Throws a usage Error on what is not NAME=COLUMN or is given
+// twice.
+[[nodiscard]] std::map<std::string, std::string> renames(const std::vector<std::string>& map);
+
+struct Bounds {
+  double low;
+  double high;
+  bool above_low = false;  // low itself is not allowed
+};
+
+// The number that an option's text is. Throws a usage Error with option, text and range.
+[[nodiscard]] double real_number(std::string_view option, std::string_view text, const Bounds& bounds);
+[[nodiscard]] std::uint64_t whole_number(std::string_view option, std::string_view text, std::uint64_t low,
+                                         std::uint64_t high);
+
+// Adds an option whose number goes to `set` when the user gives it.
+void add_real(CLI::App& verb, const std::string& option, const Bounds& bounds, const std::string& help,
+              std::function<void(double)> set);
+void add_whole(CLI::App& verb, const std::string& option, std::uint64_t low, std::uint64_t high,
+               const std::string& help, std::function<void(std::uint64_t)> set);
+
+}  // namespace proofmass::cli

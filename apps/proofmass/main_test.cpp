@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every verb shares: help, usage errors, records that cannot be used.
+#include "support/command_line.hpp"
+
+namespace proofmass::test {
+namespace {
+
+class Program : public CommandLine {};
+
+TEST_F(Program, HelpsAndNamesItsVersion) {
+  for (const char* const verb : {"simulate", "identify", "predict", "inspect"}) {
+    const Outcome help = proofmass({verb, "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_NE(help.out.find(std::string("Examples:\n  proofmass ") + verb), std::string::npos) << help.out;
+    EXPECT_EQ(help.err, "");
+  }
+  EXPECT_EQ(proofmass({"--help"}).exit_code, 0);
+  EXPECT_TRUE(proofmass({"--version"}).out.starts_with("proofmass "));
+}
+
+TEST_F(Program, ExitsWithTwoOnUsageErrors) {
+  const std::string record = make_record();
+  expect_failure(proofmass({}), 2, {"--help"});
+  expect_failure(proofmass({"divine", record}), 2, {"unknown verb 'divine'", "identify"});
+  expect_failure(proofmass({"identify"}), 2, {"RUN.csv"});
+  expect_failure(proofmass({"identify", record, "--frobnicate"}), 2, {"--frobnicate"});
+  expect_failure(proofmass({"identify", record, "extra"}), 2, {"extra"});
+  expect_failure(proofmass({"identify", record, "--method", "magic"}), 2, {"magic", "ols"});
+  expect_failure(proofmass({"identify", record, "--model", "cubic"}), 2, {"--model", "'cubic'", "quadratic"});
+  expect_failure(proofmass({"identify", record, "--terms", "K0,Kx"}), 2, {"Kx"});
+  expect_failure(proofmass({"identify", record, "--terms", "K0", "--model", "full"}), 2,
+                 {"--terms", "--model"});
+  expect_failure(proofmass({"identify", record, "--split", "1.5"}), 2, {"--split", "'1.5'", "at most 1"});
+  expect_failure(proofmass({"identify", record, "--split", "nan"}), 2, {"--split", "'nan'"});
+  expect_failure(proofmass({"identify", record, "--hidden", "0"}), 2, {"--hidden", "'0'", "from 1 to 1000"});
+  expect_failure(proofmass({"identify", record, "--hidden", "7.5"}), 2, {"--hidden", "'7.5'"});
+  expect_failure(proofmass({"identify", record, "--inertia", "-1"}), 2, {"--inertia", "'-1'"});
+  expect_failure(proofmass({"identify", record, "--trainer", "sgd"}), 2,
+                 {"--trainer", "'sgd'", "varpro, lm"});
+  expect_failure(proofmass({"identify", record, "--preset", "other"}), 2, {"--preset", "'other'"});
+  expect_failure(proofmass({"identify", record, "--map", "Ai"}), 2, {"--map", "'Ai'"});
+  expect_failure(proofmass({"identify", record, "--json", at("no/r.json")}), 2, {"no/r.json"});
+  expect_failure(proofmass({"identify", record, "--out", record}), 2, {"--out", "not a folder"});
+  EXPECT_EQ(names(), std::vector<std::string>{"run.csv"});
+}
+
+struct BadRecord {
+  const char* what;
+  std::string content;
+  std::vector<std::string> parts;
+};
+
+TEST_F(Program, ExitsWithThreeOnBadRecordsAndNamesThePlace) {
+  const std::vector<BadRecord> records{
+      {"missing column", "Ai,Ao,Ap\n1,2,3\n", {"bad.csv:1", "'E'"}},
+      {"not a number", "Ai,E\n1,1\n2,abc\n", {"bad.csv:3", "'E'", "abc"}},
+      {"not finite", "Ai,E\n1,1\nnan,2\n", {"bad.csv:3", "'Ai'", "nan"}},
+      {"ragged row", "Ai,E\n1,1\n2\n", {"bad.csv:3"}},
+      {"empty file", "", {"bad.csv", "empty"}},
+      {"no rows", "Ai,E\n", {"bad.csv"}},
+      {"duplicate column", "Ai,Ai,E\n1,1,1\n", {"bad.csv:1", "'Ai'"}},
+      {"unknown unit", "Ai[furlong],E\n1,1\n", {"bad.csv:1", "furlong"}},
+      {"mixed units", "Ai[g],Ao[mg],E\n1,1,1\n", {"bad.csv:1", "mg"}},
+      {"too few rows", "Ai,E\n1,1\n2,2\n", {"bad.csv", "2 rows", "at least 4"}},
+      {"constant output", "Ai,E\n1,5\n2,5\n3,5\n4,5\n5,5\n6,5\n", {"bad.csv", "'E'", "5 in every row"}},
+      {"binary junk",
+       std::string("\x7f"
+                   "ELF\0\x01\x02\n\0\xff",
+                   10),
+       {"bad.csv"}},
+  };
+  for (const BadRecord& record : records) {
+    SCOPED_TRACE(record.what);
+    const std::string path = write("bad.csv", record.content);
+    expect_failure(proofmass({"identify", path, "--terms", "K0,Ki,Kii", "--split", "1", "--json",
+                              at("r.json"), "--out", at("results")}),
+                   3, record.parts);
+    EXPECT_EQ(names(), std::vector<std::string>{"bad.csv"});
+  }
+  expect_failure(proofmass({"identify", at("none.csv")}), 3, {"none.csv"});
+  expect_failure(proofmass({"inspect", at("")}), 3, {"directory"});
+}
+
+}  // namespace
+}  // namespace proofmass::test

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must never happen: files left behind by a failure, inputs destroyed, numbers that are none.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/command_line.hpp"
+
+namespace proofmass {
+namespace {
+
+using test::expect_failure;
+using test::Launch;
+using test::Outcome;
+
+class Safety : public test::CommandLine {
+ protected:
+  // Runs a line of the shell in which $P is the program.
+  [[nodiscard]] static Outcome shell(const std::string& line) {
+    return test::run_process({.command = {"/bin/sh", "-c", std::string("P=") + PROOFMASS_CLI + "; " + line}});
+  }
+};
+
+TEST_F(Safety, AFullStandardOutputLeavesNoFiles) {
+  const std::string record = make_record();
+  const Outcome full =
+      shell("$P identify " + record + " --json " + at("r.json") + " --out " + at("results") + " >/dev/full");
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_FALSE(exists("r.json"));
+  EXPECT_FALSE(exists("results/result.json"));
+}
+
+TEST_F(Safety, TheExitCodeSurvivesAClosedStandardError) {
+  EXPECT_EQ(shell("$P identify " + at("none.csv") + " 2>&-").exit_code, 3);
+  EXPECT_EQ(shell("$P identify " + at("none.csv") + " 2>/dev/full").exit_code, 3);
+  EXPECT_EQ(shell("$P --bogus 2>/dev/full").exit_code, 2);
+}
+
+TEST_F(Safety, InputsAreNotOverwritten) {
+  const std::string record = make_record();
+  const std::string before = read("run.csv");
+  expect_failure(proofmass({"identify", record, "--json", record}), 2, {"run.csv", "is an input"});
+  expect_failure(proofmass({"inspect", record, "--json", record}), 2, {"run.csv", "is an input"});
+  EXPECT_EQ(read("run.csv"), before);
+}
+
+TEST_F(Safety, OverflowIsRefused) {
+  std::string record = "Ai,E\n";
+  for (int k = 0; k < 20; ++k) record += std::to_string(k) + "," + std::to_string(k % 3) + "e308\n";
+  expect_failure(
+      proofmass({"identify", write("huge.csv", record), "--terms", "K0,Ki", "--json", at("h.json")}), 3,
+      {"huge.csv", "column 'E'"});
+  EXPECT_FALSE(exists("h.json"));
+}
+
+TEST_F(Safety, EndlessPlansAndResultsEnd) {
+  expect_failure(proofmass({"simulate", "/dev/zero"}), 3, {"/dev/zero", "more than 16 MiB"});
+}
+
+TEST_F(Safety, EarlyStoppingLeavesLeastSquaresAlone) {
+  const std::string record = make_record();
+  ASSERT_EQ(proofmass({"identify", record, "--json", at("a.json")}).exit_code, 0);
+  ASSERT_EQ(proofmass({"identify", record, "--preset", "paper", "--json", at("b.json")}).exit_code, 0);
+  EXPECT_EQ(read_json("a.json")["coefficients"], read_json("b.json")["coefficients"]);
+}
+
+TEST_F(Safety, ANetworkWithoutItsNetworkDoesNotPredict) {
+  const std::string record = make_record();
+  ASSERT_EQ(
+      proofmass({"identify", record, "--method", "bp", "--epochs", "5", "--json", at("r.json")}).exit_code,
+      0);
+  Json result = read_json("r.json");
+  result.erase("network");
+  expect_failure(proofmass({"predict", write("bare.json", result.dump()), record}), 3,
+                 {"without its network"});
+}
+
+}  // namespace
+}  // namespace proofmass

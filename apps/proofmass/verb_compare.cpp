@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common_flags.hpp"
+#include "console_progress.hpp"
+#include "identify_flags.hpp"
+#include "interrupts.hpp"
+#include "output.hpp"
+#include "proofmass/compare.hpp"
+#include "proofmass/core/error.hpp"
+#include "proofmass/numeric/parallel.hpp"
+#include "proofmass/report/comparison.hpp"
+#include "proofmass/report/version.hpp"
+#include "proofmass/stand/simulation_file.hpp"
+#include "proofmass/truth.hpp"
+#include "verbs.hpp"
+
+namespace proofmass::cli {
+namespace {
+
+struct CompareFlags {
+  CommonFlags common;
+  IdentifyFlags identify;
+  std::string record;
+  std::vector<std::string> methods;
+  std::vector<std::string> map;
+  std::uint64_t repeats = 1;
+  std::string json;
+  std::string truth;  // the plan that the record was simulated by, or empty
+};
+
+std::vector<Entry> entries_of(const CompareFlags& flags) {
+  const IdentifySettings settings = flags.identify.settings();
+  std::vector<Entry> entries;
+  for (const std::string& name : flags.methods) {
+    const auto same = [&name](const Entry& entry) { return entry.name == name; };
+    if (std::any_of(entries.begin(), entries.end(), same)) {
+      throw usage_error("--methods: '" + name + "' is listed twice");
+    }
+    entries.push_back(
+        {.name = name, .method = &find_method(name), .options = settings.options, .split = settings.split});
+  }
+  return entries;
+}
+
+void add_provenance(Comparison& comparison, const Dataset& record, const IdentifyFlags& identify) {
+  for (Contestant& contestant : comparison.contestants) {
+    IdentifySettings settings = identify.settings();
+    settings.method = contestant.method;
+    for (Identification& run : contestant.runs) {
+      settings.options.seed = run.seed;
+      run.provenance = {.version = std::string(version()),
+                        .input = record.source,
+                        .input_sha256 = record.source_sha256,
+                        .options = describe(settings)};
+    }
+  }
+}
+
+void run_compare(const CompareFlags& flags) {
+  const std::vector<Entry> entries = entries_of(flags);
+  const auto columns = renames(flags.map);
+  require_folder_of(flags.json);
+  require_other_file(flags.json, {flags.record, flags.truth});
+  std::optional<SimulationPlan> truth;
+  if (!flags.truth.empty()) truth = read_simulation(flags.truth);
+  const Dataset record = read_record(flags.record, {.rename = columns});
+  const InterruptGuard guard;
+  const ThreadLimit limit(flags.common.threads);
+  ConsoleProgress progress(flags.common.quiet);
+  Comparison comparison = compare(record, entries, flags.repeats, progress);
+  if (truth) score_truth(comparison, record, entries, *truth);
+  add_provenance(comparison, record, flags.identify);
+  OutputFiles files;
+  if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
+  stop_if_interrupted();
+  if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style()));
+  files.commit();
+}
+
+}  // namespace
+
+Action add_compare(CLI::App& verb) {
+  auto flags = std::make_shared<CompareFlags>();
+  verb.add_option("RUN.csv", flags->record, "The test record; - is standard input")->required();
+  verb.add_option("--methods", flags->methods,
+                  "Methods to compare, separated by commas; ratios refer to the first")
+      ->required()
+      ->delimiter(',')
+      ->type_name("A,B,...");
+  add_whole(verb, "--repeats", 1, 100'000, "Repeat with seeds S, S+1, ... (default 1)",
+            [flags](std::uint64_t n) { flags->repeats = n; });
+  verb.add_option("--truth", flags->truth,
+                  "The plan that the record was simulated by: adds how far the coefficients are from the "
+                  "truth")
+      ->type_name("STAND.toml");
+  flags->identify.add_to(verb, IdentifyFlags::Method::given_elsewhere);
+  add_map(verb, flags->map);
+  add_json(verb, flags->json);
+  add_common(verb, flags->common);
+  verb.footer(
+      "Examples:\n"
+      "  proofmass compare run.csv --methods ols,bp,pso-bp\n"
+      "  proofmass compare run.csv --methods ols,gmdh,bp,pso-bp,hybrid --repeats 10 --json "
+      "comparison.json\n"
+      "  proofmass compare run.csv --methods ols,robust --repeats 10 --truth stand.toml\n");
+  return [flags] { run_compare(*flags); };
+}
+
+}  // namespace proofmass::cli

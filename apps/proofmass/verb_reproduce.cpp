@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "common_flags.hpp"
+#include "console_progress.hpp"
+#include "interrupts.hpp"
+#include "output.hpp"
+#include "proofmass/core/error.hpp"
+#include "proofmass/numeric/parallel.hpp"
+#include "proofmass/report/reproduction.hpp"
+#include "proofmass/reproduce.hpp"
+#include "proofmass/stand/simulation_file.hpp"
+#include "verbs.hpp"
+
+namespace proofmass::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReproduceFlags {
+  CommonFlags common;
+  std::string out;
+  bool quick = false;
+  std::uint64_t seed = 1;
+};
+
+void require_folder(const std::string& path) {
+  std::error_code failure;
+  fs::create_directories(path, failure);
+  if (failure) throw usage_error(fmt::format("cannot make the folder '{}': {}", path, failure.message()));
+}
+
+void run_reproduce(const ReproduceFlags& flags) {
+  std::error_code ignored;
+  if (!flags.out.empty() && fs::exists(flags.out, ignored) && !fs::is_directory(flags.out, ignored)) {
+    throw usage_error(fmt::format("--out: '{}' is not a folder", flags.out));
+  }
+  const InterruptGuard guard;
+  const ThreadLimit limit(flags.common.threads);
+  ReproduceOptions options = flags.quick ? quick_reproduction() : ReproduceOptions{};
+  options.seed = flags.seed;
+  Reproduction made;
+  {
+    ConsoleProgress progress(flags.common.quiet);
+    made = reproduce(paper_twin(), options, progress);
+  }
+  OutputFiles files;
+  stop_if_interrupted();
+  if (!flags.out.empty()) {
+    require_folder(flags.out);
+    for (const NamedText& file : reproduction_files(made))
+      files.add(fs::path(flags.out) / file.name, file.text);
+  }
+  files.add("-", render_reproduction(made));
+  stop_if_interrupted();
+  files.commit();
+}
+
+}  // namespace
+
+Action add_reproduce(CLI::App& verb) {
+  auto flags = std::make_shared<ReproduceFlags>();
+  add_output(verb, "--out", flags->out, "Write the page, the tables' data and the figures to the folder DIR")
+      ->type_name("DIR");
+  verb.add_flag("--quick", flags->quick, "One repeat of everything, two records for BP against PSO-BP");
+  add_whole(verb, "--seed", 0, 1'000'000'000, "Seed of record, split and draws (default 1)",
+            [flags](std::uint64_t n) { flags->seed = n; });
+  add_common(verb, flags->common);
+  verb.footer(
+      "Examples:\n"
+      "  proofmass reproduce --quick\n"
+      "  proofmass reproduce --out reproduction\n");
+  return [flags] { run_reproduce(*flags); };
+}
+
+}  // namespace proofmass::cli
