@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// How close every method comes to the floor on a simulated twin, over seeds: one Markdown table a noise
+// level.
+//   accuracy TWIN.toml [seeds] [ols,bp-lm,...]
+// Seed s makes both the record and the method's own random numbers. The floor is the test RMSE of full-model
+// least squares on the same split; "x sigma" divides by the noise simulated.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/method.hpp"
+#include "proofmass/numeric/parallel.hpp"
+#include "proofmass/pipeline.hpp"
+#include "proofmass/stand/simulation.hpp"
+#include "proofmass/stand/simulation_file.hpp"
+
+namespace {
+
+using namespace proofmass;
+
+struct Contestant {
+  std::string name;
+  std::string method;
+  SplitOptions split;
+  IdentifyOptions options;
+};
+
+std::vector<Contestant> contestants() {
+  IdentifyOptions base;
+  base.terms = parse_terms("full");
+  std::vector<Contestant> list;
+  list.push_back({"ols", "ols", {}, base});
+
+  IdentifyOptions textbook = base;
+  textbook.network.trainer = Trainer::lm;
+  list.push_back({"bp-lm", "bp", {}, textbook});
+  list.push_back({"bp-lm-early", "bp", {.early_stopping = true}, textbook});
+  list.push_back({"bp", "bp", {}, base});
+
+  IdentifyOptions paper = base;
+  SplitOptions paper_split;
+  apply_paper_preset(paper, paper_split);
+  list.push_back({"pso-bp-paper", "pso-bp", paper_split, paper});
+  IdentifyOptions multistart = paper;  // the same 50,000 epochs and the same final training, without a swarm
+  multistart.network.starts = 50 * 51;
+  multistart.network.start_epochs = paper.swarm.fitness_epochs;
+  list.push_back({"multistart-paper", "bp", paper_split, multistart});
+
+  list.push_back({"pso-bp", "pso-bp", {}, base});
+  IdentifyOptions rival = base;  // as many random starts as the swarm has particles, refined alike
+  rival.network.starts = base.swarm.particles;
+  rival.network.start_epochs = 1;
+  list.push_back({"multistart", "bp", {}, rival});
+  return list;
+}
+
+struct Tally {
+  std::vector<double> over_floor, over_sigma, seconds, epochs;
+  double worst_error = 0.0;   // largest |coefficient error| / standard error
+  double square_error = 0.0;  // sum of (error / standard error)²
+  double errors = 0.0;        // how many
+
+  void add(const Identification& result, const StaticModel& truth, double floor, double sigma, double time) {
+    over_floor.push_back(result.test->rmse / floor);
+    over_sigma.push_back(result.test->rmse / sigma);
+    seconds.push_back(time);
+    epochs.push_back(static_cast<double>(result.diagnostics.training_epochs.value_or(0)));
+    for (const Coefficient& c : result.coefficients) {
+      if (!c.identified || !c.standard_error) continue;
+      const double z = std::abs(c.value - truth.coefficient(c.term)) / *c.standard_error;
+      worst_error = std::max(worst_error, z);
+      square_error += z * z;
+      errors += 1.0;
+    }
+  }
+};
+
+double geometric_mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += std::log(value);
+  return std::exp(sum / static_cast<double>(values.size()));
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+void print_row(const std::string& name, const Tally& t) {
+  const auto [best, worst] = std::minmax_element(t.over_floor.begin(), t.over_floor.end());
+  fmt::print("| {} | {:.4g} | {:.4g} | {:.4g} | {:.4g} | {:.4g} | {:.3g} | {:.3g} | {:.0f} | {:.2f} |\n",
+             name, geometric_mean(t.over_sigma), geometric_mean(t.over_floor), median(t.over_floor), *best,
+             *worst, t.errors > 0 ? std::sqrt(t.square_error / t.errors) : 0.0, t.worst_error,
+             median(t.epochs), median(t.seconds));
+  std::fflush(stdout);
+}
+
+void tabulate(const SimulationPlan& plan, std::size_t seeds, const std::string& wanted) {
+  fmt::print(
+      "| method | gmean x sigma | gmean x floor | median | best | worst | rms error/se | max error/se | "
+      "epochs | s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
+  const StaticModel truth = plan.truth();
+  const double sigma = plan.noise.sigma;
+  SilentProgress progress;
+  for (const Contestant& contestant : contestants()) {
+    if (!wanted.empty() && ("," + wanted + ",").find("," + contestant.name + ",") == std::string::npos)
+      continue;
+    Tally tally;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const Dataset record = simulate(plan, plan.rows, seed);
+      Contestant run_one = contestant;
+      run_one.options.seed = seed;
+      IdentifyOptions full = run_one.options;
+      full.terms = parse_terms("full");
+      const double floor = run(record, find_method("ols"), full, {}, progress).test->rmse;
+      const auto start = std::chrono::steady_clock::now();
+      const Identification result =
+          run(record, find_method(contestant.method), run_one.options, contestant.split, progress);
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+      tally.add(result, truth, floor, sigma, time.count());
+    }
+    print_row(contestant.name, tally);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    fmt::print(stderr, "usage: accuracy TWIN.toml [seeds] [methods]\n");
+    return 2;
+  }
+  try {
+    const proofmass::SimulationPlan plan = proofmass::read_simulation(argv[1]);
+    const std::size_t seeds = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 10;
+    if (seeds == 0) throw proofmass::usage_error("the number of seeds must be a whole number above zero");
+    fmt::print("\n{}: sigma {:.4g} g, {} rows, {} seeds\n\n", argv[1], plan.noise.sigma, plan.rows, seeds);
+    tabulate(plan, seeds, argc > 3 ? argv[3] : "");
+  } catch (const proofmass::Error& error) {
+    fmt::print(stderr, "accuracy: {}\n", error.what());
+    return proofmass::exit_code(error.kind());
+  }
+  return 0;
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Simulates a record from a description, identifies it by two methods, and compares both with the known
+// truth.
+#include <cstdio>
+#include <exception>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/core/progress.hpp"
+#include "proofmass/core/term.hpp"
+#include "proofmass/identify/method.hpp"
+#include "proofmass/pipeline.hpp"
+#include "proofmass/stand/simulation.hpp"
+#include "proofmass/stand/simulation_file.hpp"
+
+namespace {
+
+proofmass::Identification identify(const proofmass::Dataset& record, const char* method) {
+  const proofmass::IdentifyOptions options{.terms = proofmass::parse_terms("paper"), .seed = 1};
+  proofmass::SilentProgress progress;
+  return proofmass::run(record, proofmass::find_method(method), options, {.training_share = 0.7}, progress);
+}
+
+// How far a coefficient is from the truth, in its own standard errors.
+double deviation(const proofmass::Coefficient& coefficient, double truth) {
+  return (coefficient.value - truth) / coefficient.standard_error.value();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 2) {
+    std::fputs("usage: simulate_and_compare STAND.toml\n", stderr);
+    return 2;
+  }
+  const proofmass::SimulationPlan plan = proofmass::read_simulation(argv[1]);
+  const proofmass::Dataset record = proofmass::simulate(plan);
+  const proofmass::Identification ols = identify(record, "ols");
+  const proofmass::Identification network = identify(record, "pso-bp");
+
+  std::printf("term            truth     ols (off by)          pso-bp (off by)\n");
+  for (std::size_t k = 0; k < ols.coefficients.size(); ++k) {
+    const auto& a = ols.coefficients[k];
+    const auto& b = network.coefficients[k];
+    const double truth = plan.truth().coefficient(a.term);
+    std::printf("%-5s %15.6e %15.6e (%4.1f) %15.6e (%4.1f)\n", proofmass::name(a.term).data(), truth, a.value,
+                deviation(a, truth), b.value, deviation(b, truth));
+  }
+  std::printf("test RMSE %15s %15.3e        %15.3e %s\n", "", ols.test->rmse, network.test->rmse,
+              ols.output_unit.symbol.c_str());
+  return 0;
+} catch (const proofmass::Error& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return proofmass::exit_code(error.kind());
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}
