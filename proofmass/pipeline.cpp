@@ -1,61 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/pipeline.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "proofmass/assess/metrics.hpp"
 #include "proofmass/assess/uncertainty.hpp"
-#include "proofmass/core/error.hpp"
+#include "proofmass/hidden_search.hpp"
 #include "proofmass/identify/presets.hpp"
-#include "proofmass/numeric/random.hpp"
 
 namespace proofmass {
 
 namespace {
 
-// Checks the shares and returns how many rows train and how many of those validate.
-std::pair<std::size_t, std::size_t> part_sizes(std::size_t rows, const SplitOptions& options) {
-  const double share = options.training_share;
-  if (!(share > 0.0 && share <= 1.0)) {
-    throw usage_error(fmt::format("split must be more than 0 and at most 1, got {}", share));
-  }
-  const double validation_share = options.early_stopping ? options.validation_share : 0.0;
-  if (!(validation_share >= 0.0 && validation_share < share)) {
-    throw usage_error(
-        fmt::format("the validation share must be at least 0 and less than the training share {}, got {}",
-                    share, validation_share));
-  }
-  const auto count = [rows](double part) {
-    return static_cast<std::size_t>(std::llround(part * static_cast<double>(rows)));
-  };
-  if (rows > 0 && count(validation_share) >= count(share)) {
-    throw usage_error(fmt::format("a split of {} with a validation share of {} leaves no training rows of {}",
-                                  share, validation_share, rows));
-  }
-  return {count(share), count(validation_share)};
+// The number of hidden units that the trials on the training share choose, put into the options.
+std::vector<HiddenTrial> search_hidden(const Dataset& record, const Method& method, IdentifyOptions& options,
+                                       SplitOptions split, Progress& progress) {
+  if (!method.takes_hidden || !options.network.search_hidden) return {};
+  SplitOptions whole = split;
+  whole.early_stopping = true;  // refuses shares that leave nothing to train on
+  (void)split_rows(record.rows(), whole, options.seed);
+  whole.early_stopping = false;
+  const Dataset rows = record.select(split_rows(record.rows(), whole, options.seed).training);
+  std::vector<HiddenTrial> trials = try_hidden_sizes(rows, method, options, split, progress);
+  options.network.hidden = trials[choose_hidden(trials)].hidden;
+  return trials;
 }
 
 }  // namespace
-
-Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed) {
-  const auto [training, validation] = part_sizes(rows, options);
-  RandomStream random(seed, stream_id("split"));
-  const std::vector<std::size_t> order = random_permutation(rows, random);
-  const auto part = [&order](std::size_t first, std::size_t last) {
-    std::vector<std::size_t> chosen(order.begin() + static_cast<std::ptrdiff_t>(first),
-                                    order.begin() + static_cast<std::ptrdiff_t>(last));
-    std::sort(chosen.begin(), chosen.end());
-    return chosen;
-  };
-  return {.training = part(validation, training),
-          .validation = part(0, validation),
-          .test = part(training, rows)};
-}
 
 void apply_paper_preset(IdentifyOptions& options, SplitOptions& split) {
   apply_paper_preset(options);
@@ -67,14 +39,17 @@ SplitOptions split_for(const Method& method, SplitOptions options) noexcept {
   return options;
 }
 
-Identification run(const Dataset& record, const Method& method, const IdentifyOptions& options,
+Identification run(const Dataset& record, const Method& method, const IdentifyOptions& asked,
                    const SplitOptions& split_options, Progress& progress) {
+  IdentifyOptions options = asked;
+  std::vector<HiddenTrial> trials = search_hidden(record, method, options, split_options, progress);
   const Split split = split_rows(record.rows(), split_for(method, split_options), options.seed);
   const Dataset training = record.select(split.training);
   const Dataset validation = record.select(split.validation);
   const Dataset test = record.select(split.test);
 
   Identification result = method.identify(training, validation, options, progress);
+  result.diagnostics.hidden_search = std::move(trials);
   add_intervals(result);
 
   const double to_declared = 1.0 / record.output_unit.to_canonical;

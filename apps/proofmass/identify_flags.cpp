@@ -18,6 +18,7 @@ using Settings = IdentifySettings;
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 constexpr std::uint64_t kMostUnits = 1000;
+constexpr std::uint64_t kMostRepeats = 1000;
 constexpr std::uint64_t kMostParticles = 100'000;
 constexpr std::uint64_t kMostIterations = 1'000'000'000;
 
@@ -89,6 +90,27 @@ void IdentifyFlags::add_data_options(CLI::App& verb) {
            });
 }
 
+void IdentifyFlags::add_hidden_options(CLI::App& verb) {
+  const auto take_hidden = [this](const std::string& text) {
+    const bool search = text == "search";
+    if (!search && (text.empty() || text.find_first_not_of("0123456789") != std::string::npos)) {
+      throw usage_error(fmt::format("--hidden: found '{}', expected a whole number from 1 to {}, or search",
+                                    text, kMostUnits));
+    }
+    const std::uint64_t n = search ? 0 : whole_number("--hidden", text, 1, kMostUnits);
+    changes_.emplace_back([search, n](Settings& s) {
+      s.options.network.search_hidden = search;
+      if (!search) s.options.network.hidden = n;
+    });
+  };
+  verb.add_option_function<std::string>(
+          "--hidden", take_hidden,
+          "Hidden units of the network (default 7), or chosen by trial on rows set aside")
+      ->type_name("N|search");
+  whole(verb, "--search-repeats", 2, kMostRepeats, "Trials of each size of --hidden search (default 5)",
+        [](Settings& s, std::uint64_t n) { s.options.network.search_repeats = n; });
+}
+
 void IdentifyFlags::add_network_options(CLI::App& verb) {
   const auto take_preset = [this](const std::string& text) {
     for (const auto& word : kPresetWords) {
@@ -100,8 +122,7 @@ void IdentifyFlags::add_network_options(CLI::App& verb) {
   };
   verb.add_option_function<std::string>("--preset", take_preset, "Settings of the networks to begin with")
       ->type_name(list_of(kPresetWords, "|"));
-  whole(verb, "--hidden", 1, kMostUnits, "Hidden units of the network (default 7)",
-        [](Settings& s, std::uint64_t n) { s.options.network.hidden = n; });
+  add_hidden_options(verb);
   choice(verb, "--trainer", kTrainerWords, "Variable projection (default) or textbook Levenberg-Marquardt",
          [](Settings& s, Trainer trainer) { s.options.network.trainer = trainer; });
   whole(verb, "--epochs", 1, kMostIterations, "At most N training epochs a start (default 1000)",
@@ -304,6 +325,9 @@ IdentifySettings IdentifyFlags::settings() const {
   }
   for (const Change& change : changes_) change(settings);
   settings.options.terms = parse_terms(settings.model);
+  if (settings.options.network.search_hidden && !settings.options.swarm.initial.empty()) {
+    throw usage_error("--initial-swarm is for one size of network; give --hidden a number with it");
+  }
   return settings;
 }
 

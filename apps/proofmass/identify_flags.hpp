@@ -40,6 +40,7 @@ class IdentifyFlags {
   void add_weight_options(CLI::App& verb);
   void add_uncertainty_options(CLI::App& verb);
   void add_gmdh_options(CLI::App& verb);
+  void add_hidden_options(CLI::App& verb);
   void add_network_options(CLI::App& verb);
   void add_damping_options(CLI::App& verb);
   void add_swarm_options(CLI::App& verb);

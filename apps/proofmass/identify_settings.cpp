@@ -19,7 +19,8 @@ void describe(const SplitOptions& split, Entries& entries) {
 }
 
 void describe(const NetworkOptions& network, Entries& entries) {
-  entries.insert(entries.end(), {{"hidden", text_of(network.hidden)},
+  entries.insert(entries.end(), {{"hidden", network.search_hidden ? "search" : text_of(network.hidden)},
+                                 {"search-repeats", text_of(network.search_repeats)},
                                  {"trainer", word_of(kTrainerWords, network.trainer)},
                                  {"epochs", text_of(network.epochs)},
                                  {"starts", text_of(network.starts)},

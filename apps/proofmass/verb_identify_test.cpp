@@ -57,6 +57,30 @@ TEST_F(IdentifyVerb, GivesTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
+TEST_F(IdentifyVerb, SeeksTheNumberOfHiddenUnits) {
+  const std::string record = make_record("200");
+  const Outcome outcome = proofmass({"identify", record, "--method", "bp", "--hidden", "search", "--epochs",
+                                     "5", "--search-repeats", "2", "--json", at("r.json")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto result = read_json("r.json");
+  const auto& trials = result["diagnostics"]["hidden_search"];
+  ASSERT_EQ(trials.size(), 10U);
+  std::size_t chosen = 0;
+  for (const auto& trial : trials) {
+    EXPECT_EQ(trial["validation_rmse"].size(), 2U);
+    EXPECT_NE(outcome.out.find(std::to_string(trial["weights"].get<int>())), std::string::npos);
+    if (!trial["chosen"].get<bool>()) continue;
+    ++chosen;
+    EXPECT_EQ(trial["hidden"], result["network"]["hidden"]);
+  }
+  EXPECT_EQ(chosen, 1U);
+  EXPECT_EQ(result["provenance"]["options"]["hidden"], "search");
+  expect_failure(proofmass({"identify", record, "--hidden", "seek"}), 2, {"--hidden", "'seek'", "or search"});
+  expect_failure(
+      proofmass({"identify", record, "--method", "bp", "--hidden", "search", "--validation-share", "0.001"}),
+      2, {"0.001", "none of 140 rows"});
+}
+
 TEST_F(IdentifyVerb, ReadsStandardInputAndKeepsStandardOutputForTheJson) {
   make_record();
   const Outcome fit = proofmass({"identify", "-", "--json", "-"}, read("run.csv"));

@@ -68,6 +68,17 @@ struct SuspectRow {
   double weight = 0.0;              // that the row had in the fit; 1 is full
 };
 
+// What one number of hidden units reached on rows that it was not trained on.
+struct HiddenTrial {
+  std::size_t hidden = 0;
+  std::size_t weights = 0;              // of a network of that size
+  std::vector<double> validation_rmse;  // in the output's declared unit, one a repeat
+  double mean = 0.0;                    // of those
+  double best = 0.0;
+  double spread = 0.0;  // their standard deviation
+  bool chosen = false;
+};
+
 // Figures that say how far the coefficients can be trusted. Absent where a method has no such figure.
 struct Diagnostics {
   std::optional<double> residual_sd;  // sqrt(RSS / dof), in the output's canonical unit
@@ -83,6 +94,7 @@ struct Diagnostics {
   std::optional<std::size_t> training_epochs;    // of all candidates together
   std::optional<std::size_t> swarm_evaluations;  // of the swarm's fitness
   std::optional<std::size_t> models_tried;       // by a search over models
+  std::vector<HiddenTrial> hidden_search;        // of the sizes tried, ascending; when one was asked for
   std::optional<double> robust_scale;            // of the residuals: the standard deviation, were they normal
   std::vector<SuspectRow> suspect_rows;          // largest residual first; robust methods only
   // How far a search without derivatives stays from the least-squares solution that it seeks:

@@ -17,6 +17,7 @@ struct Method {
   std::string_view name;     // as --method takes it
   std::string_view summary;  // one line, for --help
   bool predicts_by_network;  // the fit predicts by its network, not by the coefficients
+  bool takes_hidden;         // its network has the number of hidden units that the options say
   bool exact_without_noise;  // recovers the coefficients of a noise-free record to rounding
   // Fits the training rows; network methods stop early on the validation rows when there are any. Fills
   // method, coefficients with covariance and standard errors, network, ending, history and what of the

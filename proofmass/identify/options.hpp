@@ -23,7 +23,9 @@ enum class Extraction { projection, taylor };  // coefficients out of a network
 
 // How a network is built and trained. Defaults of the damping are those that MATLAB documents for trainlm.
 struct NetworkOptions {
-  std::size_t hidden = 7;  // tanh units; the paper's choice
+  std::size_t hidden = 7;          // tanh units; the paper's choice
+  bool search_hidden = false;      // choose the number of tanh units by trial instead
+  std::size_t search_repeats = 5;  // trials of each size, at least 2
   Trainer trainer = Trainer::varpro;
   std::size_t epochs = 1000;            // at most, for the training of one start
   double mu = 1e-3;                     // initial damping (lm)

@@ -131,6 +131,26 @@ std::vector<SuspectRow> suspects_of(const JsonNode& diagnostics) {
   return suspects;
 }
 
+std::vector<HiddenTrial> hidden_trials_of(const JsonNode& diagnostics) {
+  std::vector<HiddenTrial> trials;
+  const auto list = diagnostics.find("hidden_search");
+  if (!list) return trials;
+  for (const JsonNode& node : list->items()) {
+    HiddenTrial trial{.hidden = node.at("hidden").count(),
+                      .weights = node.at("weights").count(),
+                      .validation_rmse = {},
+                      .mean = node.at("mean").number(),
+                      .best = node.at("best").number(),
+                      .spread = node.at("spread").number(),
+                      .chosen = node.at("chosen").flag()};
+    for (const JsonNode& rmse : node.at("validation_rmse").items()) {
+      trial.validation_rmse.push_back(rmse.number());
+    }
+    trials.push_back(std::move(trial));
+  }
+  return trials;
+}
+
 Diagnostics diagnostics_of(const JsonNode& node) {
   Diagnostics diagnostics{.residual_sd = optional_number(node, "residual_sd"),
                           .dof = optional_count(node, "dof"),
@@ -142,6 +162,7 @@ Diagnostics diagnostics_of(const JsonNode& node) {
                           .training_epochs = optional_count(node, "training_epochs"),
                           .swarm_evaluations = optional_count(node, "swarm_evaluations"),
                           .models_tried = optional_count(node, "models_tried"),
+                          .hidden_search = hidden_trials_of(node),
                           .robust_scale = optional_number(node, "robust_scale"),
                           .suspect_rows = suspects_of(node),
                           .optimum_rmse_ratio = optional_number(node, "optimum_rmse_ratio"),

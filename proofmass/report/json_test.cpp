@@ -69,6 +69,13 @@ Identification full_result() {
   r.diagnostics.robust_scale = 0.25;
   r.diagnostics.optimum_rmse_ratio = 1.125;
   r.diagnostics.optimum_distance = 0.1;
+  r.diagnostics.hidden_search = {{.hidden = 3,
+                                  .weights = 16,
+                                  .validation_rmse = {0.5, 0.25},
+                                  .mean = 0.375,
+                                  .best = 0.25,
+                                  .spread = 0.125,
+                                  .chosen = true}};
   r.diagnostics.suspect_rows = {
       {.row = 3, .line = 7, .residual = 0.1, .scaled_residual = 4.5, .weight = 0.0},
       {.row = 4, .line = std::nullopt, .residual = -0.3, .scaled_residual = -4.1, .weight = 0.5}};
@@ -123,6 +130,11 @@ TEST(Json, ReadsBackWhatItWroteToTheLastBit) {
   EXPECT_EQ(read.diagnostics.robust_scale, written.diagnostics.robust_scale);
   EXPECT_EQ(read.diagnostics.optimum_rmse_ratio, written.diagnostics.optimum_rmse_ratio);
   EXPECT_EQ(read.diagnostics.optimum_distance, written.diagnostics.optimum_distance);
+  ASSERT_EQ(read.diagnostics.hidden_search.size(), 1U);
+  const auto all_of = [](const HiddenTrial& t) {
+    return std::tie(t.hidden, t.weights, t.validation_rmse, t.mean, t.best, t.spread, t.chosen);
+  };
+  EXPECT_EQ(all_of(read.diagnostics.hidden_search[0]), all_of(written.diagnostics.hidden_search[0]));
   ASSERT_EQ(read.diagnostics.suspect_rows.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     const SuspectRow& a = read.diagnostics.suspect_rows[k];

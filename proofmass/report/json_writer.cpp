@@ -74,6 +74,12 @@ Json json_of(const SuspectRow& suspect) {
   return json;
 }
 
+Json json_of(const HiddenTrial& trial) {
+  return {{"hidden", trial.hidden}, {"weights", trial.weights}, {"validation_rmse", trial.validation_rmse},
+          {"mean", trial.mean},     {"best", trial.best},       {"spread", trial.spread},
+          {"chosen", trial.chosen}};
+}
+
 Json json_of(const Diagnostics& diagnostics) {
   Json json = Json::object();
   set(json, "residual_sd", diagnostics.residual_sd);
@@ -86,6 +92,7 @@ Json json_of(const Diagnostics& diagnostics) {
   set(json, "training_epochs", diagnostics.training_epochs);
   set(json, "swarm_evaluations", diagnostics.swarm_evaluations);
   set(json, "models_tried", diagnostics.models_tried);
+  for (const HiddenTrial& trial : diagnostics.hidden_search) json["hidden_search"].push_back(json_of(trial));
   set(json, "robust_scale", diagnostics.robust_scale);
   for (const SuspectRow& suspect : diagnostics.suspect_rows) json["suspect_rows"].push_back(json_of(suspect));
   set(json, "optimum_rmse_ratio", diagnostics.optimum_rmse_ratio);

@@ -97,6 +97,20 @@ void write_suspects(TerminalText& out, const std::vector<SuspectRow>& suspects, 
   out.table(table);
 }
 
+void write_hidden_search(TerminalText& out, const std::vector<HiddenTrial>& trials, const Unit& output) {
+  if (trials.empty()) return;
+  out.heading(fmt::format("Hidden units: RMSE on rows set aside, {} repeats, in {}",
+                          trials.front().validation_rmse.size(), output.symbol));
+  TextTable table({"hidden", "weights", "mean", "best", "spread", ""});
+  for (const HiddenTrial& trial : trials) {
+    table.add({std::to_string(trial.hidden), std::to_string(trial.weights), significant_text(trial.mean, 5),
+               significant_text(trial.best, 5), significant_text(trial.spread, 3),
+               trial.chosen ? "chosen" : ""});
+  }
+  out.table(table);
+  out.line("chosen: the fewest units within one standard error of the least mean");
+}
+
 void write_diagnostics(TerminalText& out, const Diagnostics& d, const Unit& output) {
   std::vector<std::string> figures;
   const auto add = [&figures](const char* label, const std::optional<double>& value) {
@@ -144,6 +158,7 @@ std::string render_table(const Identification& result, const TerminalStyle& styl
     }
   }
   write_metrics(out, result);
+  write_hidden_search(out, result.diagnostics.hidden_search, output);
   write_suspects(out, result.diagnostics.suspect_rows, output);
   out.heading(fmt::format("Ended: {}", to_string(result.ending.status)));
   out.line(result.ending.reason);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/split.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/numeric/random.hpp"
+
+namespace proofmass {
+namespace {
+
+// Checks the shares and returns how many rows train and how many of those validate.
+std::pair<std::size_t, std::size_t> part_sizes(std::size_t rows, const SplitOptions& options) {
+  const double share = options.training_share;
+  if (!(share > 0.0 && share <= 1.0)) {
+    throw usage_error(fmt::format("split must be more than 0 and at most 1, got {}", share));
+  }
+  const double validation_share = options.early_stopping ? options.validation_share : 0.0;
+  if (!(validation_share >= 0.0 && validation_share < share)) {
+    throw usage_error(
+        fmt::format("the validation share must be at least 0 and less than the training share {}, got {}",
+                    share, validation_share));
+  }
+  const auto count = [rows](double part) {
+    return static_cast<std::size_t>(std::llround(part * static_cast<double>(rows)));
+  };
+  if (rows > 0 && count(validation_share) >= count(share)) {
+    throw usage_error(fmt::format("a split of {} with a validation share of {} leaves no training rows of {}",
+                                  share, validation_share, rows));
+  }
+  return {count(share), count(validation_share)};
+}
+
+}  // namespace
+
+Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed) {
+  const auto [training, validation] = part_sizes(rows, options);
+  RandomStream random(seed, stream_id("split"));
+  const std::vector<std::size_t> order = random_permutation(rows, random);
+  const auto part = [&order](std::size_t first, std::size_t last) {
+    std::vector<std::size_t> chosen(order.begin() + static_cast<std::ptrdiff_t>(first),
+                                    order.begin() + static_cast<std::ptrdiff_t>(last));
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+  };
+  return {.training = part(validation, training),
+          .validation = part(0, validation),
+          .test = part(training, rows)};
+}
+
+}  // namespace proofmass
