@@ -11,6 +11,7 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/design_matrix.hpp"
 #include "proofmass/identify/hybrid_network.hpp"
+#include "proofmass/identify/hybrid_validation.hpp"
 #include "proofmass/identify/identifiability.hpp"
 #include "proofmass/identify/network_data.hpp"
 #include "proofmass/identify/static_fit.hpp"
@@ -32,11 +33,13 @@ bool is_rounding(double rss, const Dataset& training) {
   return rss <= static_cast<double>(training.rows()) * kRounding * kRounding * half * half;
 }
 
-// The best fit with hidden units, if any beats least squares, and the criterion by number of units, from
-// zero.
+// The best fit with hidden units, if any beats least squares, the criterion by number of units, from zero,
+// and what cross-validation said of the number that it chose.
 struct Search {
   std::optional<HybridFit> best;
   std::vector<double> criterion;
+  std::size_t chosen = 0;
+  HybridValidation validation;
   std::size_t epochs = 0;
 };
 
@@ -66,14 +69,31 @@ Search search(const Dataset& training, const TermList& terms, double rss, const 
   return found;
 }
 
+// The criterion takes noise to be normal: it would have a network follow outliers. So a network stays only
+// when it also predicts rows that it has not seen better than the terms alone.
+void cross_validate(Search& found, const Dataset& training, const TermList& terms,
+                    const IdentifyOptions& options, Progress& progress) {
+  if (!found.best) return;
+  found.chosen = found.best->network.hidden;
+  found.validation = validate_hybrid(training, terms, found.chosen, options, progress);
+  found.epochs += found.validation.epochs;
+  if (!found.validation.favours_network()) found.best.reset();
+}
+
+std::string describe(const HybridValidation& validation, bool kept) {
+  if (validation.rows == 0) return "; dropped, for too few rows to cross-validate them";
+  return fmt::format("; {} by cross-validation: rms error at rows left out {:.5g} times that without",
+                     kept ? "kept" : "dropped", validation.rmse_with / validation.rmse_without);
+}
+
 std::string describe(const Search& found) {
-  const std::size_t hidden = found.best ? found.best->network.hidden : 0;
   std::string tried;
   for (std::size_t h = 0; h < found.criterion.size(); ++h) {
     tried += fmt::format("{}{}: {:.1f}", h == 0 ? "" : ", ", h, found.criterion[h] - found.criterion.front());
   }
-  return fmt::format("{} hidden units by the Bayesian information criterion (relative to none: {})", hidden,
-                     tried);
+  return fmt::format("{} hidden units by the Bayesian information criterion (relative to none: {}){}",
+                     found.chosen, tried,
+                     found.chosen > 0 ? describe(found.validation, found.best.has_value()) : "");
 }
 
 void add_network(Identification& result, Search& found, const Dataset& training) {
@@ -102,6 +122,7 @@ Identification identify_hybrid(const Dataset& unordered, const Dataset& /*valida
   const Dataset training = in_canonical_order(unordered);
   LeastSquaresFit solution = solve_least_squares(design_matrix(training, terms.identified), training.output);
   Search found = search(training, terms.identified, solution.rss, options, progress);
+  cross_validate(found, training, terms.identified, options, progress);
   const double rss = found.best ? found.best->rss : solution.rss;
   const std::size_t parameters = found.best ? found.best->parameters : terms.identified.size();
 
