@@ -32,11 +32,4 @@ for twin in twin twin-10ug twin-300ug; do
   build/release/bin/accuracy "data/$twin.toml" "$seeds"
 done | sed -E '/^\|/s/[^|]*\|$//' | tee "$tables"
 
-if "$write"; then
-  document=docs/accuracy.md
-  sed -i -e "/^<!-- tables -->$/,/^<!-- end of tables -->$/{/^<!-- tables -->$/r $tables
-    /^<!-- /!d}" "$document"
-  # A blank line sets the last table apart from the marker.
-  sed -i 's/^<!-- end of tables -->$/\n&/' "$document"
-  printf 'The tables of %s are renewed.\n' "$document" >&2
-fi
+if "$write"; then renew_tables docs/accuracy.md "$tables"; fi

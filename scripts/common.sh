@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# What demo.sh and test.sh share; sourced by both.
+# What the other scripts share; sourced by them.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
@@ -22,3 +22,12 @@ configure() {
 }
 
 build() { run cmake --build "build/$1" --parallel "$(nproc)" "${@:2}"; }
+
+# renew_tables FILE TABLES: the text of TABLES takes the place of what stands between the markers of FILE.
+renew_tables() {
+  sed -i -e "/^<!-- tables -->$/,/^<!-- end of tables -->$/{/^<!-- tables -->$/r $2
+    /^<!-- /!d}" "$1"
+  # A blank line sets the last table apart from the marker.
+  sed -i 's/^<!-- end of tables -->$/\n&/' "$1"
+  printf 'The tables of %s are renewed.\n' "$1" >&2
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// All methods on a simulated twin, over seeds, against what the best one could do: a Markdown table.
+//   methods TWIN.toml MODEL [seeds]
+// Seed s makes the record, the split and the method's own random numbers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "proofmass/compare.hpp"
+#include "proofmass/core/error.hpp"
+#include "proofmass/stand/simulation.hpp"
+#include "proofmass/stand/simulation_file.hpp"
+#include "proofmass/truth.hpp"
+
+namespace {
+
+using namespace proofmass;
+
+// The uncertainties that tls and eiv need are those simulated, unless the record has them.
+std::vector<Entry> entries(const SimulationPlan& plan, const TermList& terms) {
+  IdentifyOptions base;
+  base.terms = terms;
+  if (!plan.record_sigma) {
+    base.uncertainty.output = plan.noise.sigma;
+    base.uncertainty.input = *std::max_element(plan.input_sigma.begin(), plan.input_sigma.end());
+  }
+  std::vector<Entry> list;
+  const auto add = [&](
+                       std::string name, const char* method,
+                       const std::function<void(Entry&)>& change = [](Entry&) {}) {
+    list.push_back({.name = std::move(name), .method = &find_method(method), .options = base, .split = {}});
+    change(list.back());
+  };
+  add("ols", "ols");
+  add("wls, variance model", "wls", [](Entry& e) { e.options.wls.weights = WeightSource::model; });
+  add("robust, Huber", "robust", [](Entry& e) { e.options.robust.fit.loss = LossKind::huber; });
+  add("robust, bisquare", "robust");
+  add("tls", "tls");
+  add("eiv", "eiv");
+  add("gmdh, combi", "gmdh");
+  add("gmdh, mia", "gmdh", [](Entry& e) { e.options.gmdh.form = GmdhForm::mia; });
+  add("afsa", "afsa");
+  add("bp, textbook", "bp", [](Entry& e) { e.options.network.trainer = Trainer::lm; });
+  add("bp", "bp");
+  add("pso-bp, paper", "pso-bp", [](Entry& e) { apply_paper_preset(e.options, e.split); });
+  add("pso-bp", "pso-bp");
+  add("hybrid", "hybrid");
+  return list;
+}
+
+// Root mean square over the test rows of what no method can predict: measured output less the truth's output
+// at the true inputs or, where those are not recorded, at the recorded ones.
+double noise_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t seed) {
+  SimulationPlan quiet = plan;
+  quiet.noise = {};
+  quiet.record_sigma = false;
+  const bool exact_inputs = plan.input_sigma == std::array<double, 3>{};
+  quiet.input_sigma = {};
+  const Dataset clean = simulate(quiet, plan.rows, seed);
+  const StaticModel truth = plan.truth();
+  const std::vector<std::size_t> test = split_rows(record.rows(), {}, seed).test;
+  double sum = 0.0;
+  for (const std::size_t row : test) {
+    const double best = exact_inputs ? clean.output[row] : truth.output(record.at(row));
+    sum += (record.output[row] - best) * (record.output[row] - best);
+  }
+  return std::sqrt(sum / static_cast<double>(test.size())) / record.output_unit.to_canonical;
+}
+
+struct Tally {
+  double square_over_bound = 0.0;
+  std::vector<double> over_noise, seconds;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double geometric_mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += std::log(value);
+  return std::exp(sum / static_cast<double>(values.size()));
+}
+
+std::string cells(const SimulationPlan& plan, Entry entry, std::size_t seeds) {
+  SilentProgress progress;
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Dataset record = simulate(plan, plan.rows, seed);
+    entry.options.seed = seed;
+    Comparison one = compare(record, std::span(&entry, 1), 1, progress);
+    score_truth(one, record, std::span(&entry, 1), plan);
+    const Contestant& contestant = one.contestants.front();
+    const double over_bound = contestant.truth->rms_over_bound.value();
+    tally.square_over_bound += over_bound * over_bound;
+    tally.over_noise.push_back(contestant.runs.front().test->rmse / noise_of(plan, record, seed));
+    tally.seconds.push_back(contestant.seconds.front());
+  }
+  const double rms = std::sqrt(tally.square_over_bound / static_cast<double>(seeds));
+  return fmt::format("{:.4g} | {:.4g} | {:.4g} | {:.3g}", rms, geometric_mean(tally.over_noise),
+                     *std::max_element(tally.over_noise.begin(), tally.over_noise.end()),
+                     1e3 * median(tally.seconds));
+}
+
+void tabulate(const SimulationPlan& plan, const std::string& model, std::size_t seeds) {
+  fmt::print("| method | error / bound | test RMSE / noise | worst | ms |\n|---|---|---|---|---|\n");
+  std::vector<std::string> refusals;
+  for (const Entry& entry : entries(plan, parse_terms(model))) {
+    std::string text;
+    try {
+      text = cells(plan, entry, seeds);
+    } catch (const Error& error) {
+      refusals.emplace_back(error.what());
+      text = fmt::format("refused ({}) | | |", refusals.size());
+    }
+    fmt::print("| {} | {} |\n", entry.name, text);
+    std::fflush(stdout);
+  }
+  if (!refusals.empty()) fmt::print("\n");
+  for (std::size_t k = 0; k < refusals.size(); ++k) fmt::print("({}) {}\n\n", k + 1, refusals[k]);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    fmt::print(stderr, "usage: methods TWIN.toml MODEL [seeds]\n");
+    return 2;
+  }
+  try {
+    const SimulationPlan plan = read_simulation(argv[1]);
+    const std::size_t seeds = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 20;
+    if (seeds == 0) throw usage_error("the number of seeds must be a whole number above zero");
+    fmt::print("\n**{}**, model `{}`, {} seeds\n\n", argv[1], argv[2], seeds);
+    tabulate(plan, argv[2], seeds);
+  } catch (const Error& error) {
+    fmt::print(stderr, "methods: {}\n", error.what());
+    return exit_code(error.kind());
+  }
+  return 0;
+}
