@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace proofmass::cli {
 
-// While it lives, SIGINT and SIGTERM ask the work to stop instead of ending the process; a second signal ends
-// it.
+// While it lives, SIGINT, SIGTERM and SIGHUP ask the work to stop instead of ending the process; a second
+// signal ends it.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -15,8 +16,8 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  struct sigaction previous_int_ {};
-  struct sigaction previous_term_ {};
+  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> previous_{};
 };
 
 [[nodiscard]] bool interrupted() noexcept;

@@ -42,7 +42,7 @@ Error bad_data(const Place& place, std::string_view found, std::string_view expe
   std::string message = place.file;
   if (place.row > 0) message += fmt::format(":{}", place.row);
   message += ": ";
-  if (!place.column.empty()) message += fmt::format("column '{}': ", excerpt(place.column));
+  if (!place.column.empty()) message += fmt::format("{} '{}': ", place.what, excerpt(place.column));
   if (!found.empty()) message += fmt::format("found '{}', ", excerpt(found));
   message += fmt::format("expected {}", expected);
   return {ErrorKind::bad_data, message};

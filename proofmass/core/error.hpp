@@ -28,11 +28,13 @@ class Error : public std::runtime_error {
 };
 
 // Where in a file something was found. A row of 0 means the file as a whole; rows count lines from 1 as an
-// editor does, header and comments included. An empty column means the whole row.
+// editor does, header and comments included. An empty column means the whole row. What a file of settings
+// calls a column is a key: `what` says the word.
 struct Place {
   std::string file;
   std::size_t row = 0;
   std::string column;
+  std::string_view what = "column";
 };
 
 // "file:row: column 'Ai': found 'abc', expected a number"; `found` longer than 60 characters is shortened and

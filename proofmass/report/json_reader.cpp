@@ -11,29 +11,12 @@
 #include "proofmass/core/text_file.hpp"
 #include "proofmass/report/json.hpp"
 #include "proofmass/report/json_node_internal.hpp"
+#include "proofmass/report/json_parts_internal.hpp"
 
 namespace proofmass {
 namespace {
 
 constexpr std::string_view kSchema = "proofmass.identification/1";
-
-std::optional<double> optional_number(const JsonNode& node, const std::string& key) {
-  const auto found = node.find(key);
-  if (!found) return std::nullopt;
-  return found->number();
-}
-
-std::optional<std::size_t> optional_count(const JsonNode& node, const std::string& key) {
-  const auto found = node.find(key);
-  if (!found) return std::nullopt;
-  return found->count();
-}
-
-Interval interval_of(const JsonNode& node) {
-  const std::vector<double> ends = node.numbers();
-  if (ends.size() != 2) node.fail("two numbers");
-  return {.low = ends[0], .high = ends[1]};
-}
 
 Unit unit_of(const JsonNode& node) {
   const auto unit = find_unit(node.text());
@@ -117,61 +100,6 @@ std::vector<Curve> history_of(const JsonNode& node) {
   return curves;
 }
 
-std::vector<SuspectRow> suspects_of(const JsonNode& diagnostics) {
-  std::vector<SuspectRow> suspects;
-  const auto list = diagnostics.find("suspect_rows");
-  if (!list) return suspects;
-  for (const JsonNode& node : list->items()) {
-    suspects.push_back({.row = node.at("row").count(),
-                        .line = optional_count(node, "line"),
-                        .residual = node.at("residual").number(),
-                        .scaled_residual = node.at("scaled_residual").number(),
-                        .weight = node.at("weight").number()});
-  }
-  return suspects;
-}
-
-std::vector<HiddenTrial> hidden_trials_of(const JsonNode& diagnostics) {
-  std::vector<HiddenTrial> trials;
-  const auto list = diagnostics.find("hidden_search");
-  if (!list) return trials;
-  for (const JsonNode& node : list->items()) {
-    HiddenTrial trial{.hidden = node.at("hidden").count(),
-                      .weights = node.at("weights").count(),
-                      .validation_rmse = {},
-                      .mean = node.at("mean").number(),
-                      .best = node.at("best").number(),
-                      .spread = node.at("spread").number(),
-                      .chosen = node.at("chosen").flag()};
-    for (const JsonNode& rmse : node.at("validation_rmse").items()) {
-      trial.validation_rmse.push_back(rmse.number());
-    }
-    trials.push_back(std::move(trial));
-  }
-  return trials;
-}
-
-Diagnostics diagnostics_of(const JsonNode& node) {
-  Diagnostics diagnostics{.residual_sd = optional_number(node, "residual_sd"),
-                          .dof = optional_count(node, "dof"),
-                          .r2_adjusted = optional_number(node, "r2_adjusted"),
-                          .condition_raw = optional_number(node, "condition_raw"),
-                          .condition_scaled = optional_number(node, "condition_scaled"),
-                          .saturated_share = optional_number(node, "saturated_share"),
-                          .induced_deviation = optional_number(node, "induced_deviation"),
-                          .training_epochs = optional_count(node, "training_epochs"),
-                          .swarm_evaluations = optional_count(node, "swarm_evaluations"),
-                          .models_tried = optional_count(node, "models_tried"),
-                          .hidden_search = hidden_trials_of(node),
-                          .robust_scale = optional_number(node, "robust_scale"),
-                          .suspect_rows = suspects_of(node),
-                          .optimum_rmse_ratio = optional_number(node, "optimum_rmse_ratio"),
-                          .optimum_distance = optional_number(node, "optimum_distance"),
-                          .notes = {}};
-  for (const JsonNode& note : node.at("notes").items()) diagnostics.notes.push_back(note.text());
-  return diagnostics;
-}
-
 Provenance provenance_of(const JsonNode& node) {
   Provenance provenance{.version = node.at("version").text(),
                         .input = node.at("input").text(),
@@ -181,57 +109,6 @@ Provenance provenance_of(const JsonNode& node) {
     provenance.options.emplace_back(key, value.text());
   }
   return provenance;
-}
-
-std::vector<Axis> axes_of(const JsonNode& node) {
-  std::vector<Axis> axes;
-  for (const JsonNode& item : node.items()) {
-    const std::string word = item.text();
-    const auto* const axis =
-        std::find_if(kAxes.begin(), kAxes.end(), [&](Axis a) { return axis_name(a) == word; });
-    if (axis == kAxes.end()) item.fail("Ai, Ao or Ap");
-    if (!axes.empty() && *axis <= axes.back()) item.fail("axes in the order Ai, Ao, Ap");
-    axes.push_back(*axis);
-  }
-  if (axes.empty()) node.fail("at least one axis");
-  return axes;
-}
-
-TrainedNetwork network_of(const JsonNode& node) {
-  TrainedNetwork network{.inputs = axes_of(node.at("inputs")),
-                         .hidden = node.at("hidden").count(),
-                         .weights = node.at("weights").numbers(),
-                         .input_range = {},
-                         .output_range = interval_of(node.at("output_range")),
-                         .skip = {}};
-  for (const JsonNode& range : node.at("input_range").items())
-    network.input_range.push_back(interval_of(range));
-  if (network.input_range.size() != network.inputs.size()) {
-    node.at("input_range").fail("one range for each input");
-  }
-  const auto ordered = [](const Interval& range) { return range.low <= range.high; };
-  if (!std::all_of(network.input_range.begin(), network.input_range.end(), ordered)) {
-    node.at("input_range").fail("ranges whose low end is not above the high end");
-  }
-  if (!(network.output_range.low < network.output_range.high)) {
-    node.at("output_range").fail("a low end below the high end");
-  }
-  // Compared by division, so that an absurd number of hidden units cannot wrap around.
-  const std::size_t per_unit = network.inputs.size() + 2;
-  const std::size_t count = network.weights.size();
-  if (network.hidden == 0 || count < 1 || (count - 1) % per_unit != 0 ||
-      (count - 1) / per_unit != network.hidden) {
-    node.at("weights").fail("(inputs + 2) * hidden + 1 numbers");
-  }
-  if (const auto skip = node.find("skip")) {
-    for (const TermInfo& term : all_terms()) {
-      const auto value = skip->find(std::string(term.name));
-      if (!value) continue;
-      network.skip.terms.push_back(term.term);
-      network.skip.coefficients.push_back(value->number());
-    }
-  }
-  return network;
 }
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of a result

@@ -43,7 +43,7 @@ struct TomlTable::State {
     std::string path = prefix + std::string(key);
     if (key.empty() && !path.empty()) path.pop_back();
     const toml::node& nearest = node != nullptr ? *node : *here;
-    return {.file = file, .row = nearest.source().begin.line, .column = std::move(path)};
+    return {.file = file, .row = nearest.source().begin.line, .column = std::move(path), .what = "key"};
   }
   [[nodiscard]] TomlTable child(const toml::table& table, const std::string& key) const {
     return TomlTable(std::make_shared<State>(
