@@ -23,6 +23,30 @@ configure() {
 
 build() { run cmake --build "build/$1" --parallel "$(nproc)" "${@:2}"; }
 
+# prepare_tables PROGRAM [--write] [SEEDS]: reads the arguments of a script that measures into `write` and `seeds` (kept
+# where not given) and builds benchmarks/PROGRAM.
+# shellcheck disable=SC2034  # write and seeds are the caller's
+prepare_tables() {
+  local program=$1 argument
+  local usage="usage: scripts/$program.sh [--write] [SEEDS]"
+  write=false
+  for argument in "${@:2}"; do
+    case $argument in
+      --write) write=true ;;
+      -h | --help) printf '%s\n' "$usage" && exit 0 ;;
+      *[!0-9]* | '' | 0) printf '%s\n' "$usage" >&2 && exit 2 ;;
+      *) seeds=$argument ;;
+    esac
+  done
+  {
+    say "Packages"
+    scripts/install-packages.sh
+    say "Building"
+    configure release -DPROOFMASS_BUILD_BENCHMARKS=ON
+    build release --target "$program"
+  } >&2
+}
+
 # renew_tables FILE TABLES: the text of TABLES takes the place of what stands between the markers of FILE.
 renew_tables() {
   sed -i -e "/^<!-- tables -->$/,/^<!-- end of tables -->$/{/^<!-- tables -->$/r $2

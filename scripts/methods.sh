@@ -6,25 +6,8 @@
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-usage() { printf 'usage: scripts/methods.sh [--write] [SEEDS]\n'; }
-write=false
 seeds=20
-for argument; do
-  case $argument in
-    --write) write=true ;;
-    -h | --help) usage && exit 0 ;;
-    *[!0-9]* | '' | 0) usage >&2 && exit 2 ;;
-    *) seeds=$argument ;;
-  esac
-done
-
-{
-  say "Packages"
-  scripts/install-packages.sh
-  say "Building"
-  configure release -DPROOFMASS_BUILD_BENCHMARKS=ON
-  build release --target methods
-} >&2
+prepare_tables methods "$@"
 
 # All terms, but on the twin with uncertain inputs the paper's: there Koq cannot be told from Kii.
 tables=build/methods.md
