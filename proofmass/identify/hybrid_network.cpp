@@ -56,7 +56,7 @@ SwarmResult seek(const HybridProblem& problem, const IdentifyOptions& options, c
   settings.iterations = options.hybrid.iterations;
   const auto objective = [&problem](std::span<const double> x) {
     SeparablePerceptron separable(problem.shape, problem.samples, problem.fixed);
-    return std::sqrt(separable.evaluate(x) / static_cast<double>(problem.samples.rows()));
+    return std::sqrt(separable.estimate(x) / static_cast<double>(problem.samples.rows()));
   };
   return minimise_by_swarm(objective, std::move(initial), settings, options.seed,
                            [&progress](std::size_t, double) { return !progress.cancelled(); });

@@ -36,7 +36,7 @@ double SwarmFitnessFunction::separable(std::span<const double> position) const {
     }
   }
   if (!problem) problem = std::make_unique<SeparablePerceptron>(shape_, samples_);
-  const double value = std::sqrt(problem->evaluate(position) / static_cast<double>(samples_.rows()));
+  const double value = std::sqrt(problem->estimate(position) / static_cast<double>(samples_.rows()));
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(problem));
   return value;

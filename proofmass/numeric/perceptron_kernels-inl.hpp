@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The mathematics of a block of samples, compiled once for every instruction set: included by
 // perceptron_kernels.cpp through foreach_target, so without an ordinary include guard.
+//
+// Multiplications and fused multiply-adds a sample, for I inputs, H hidden units, n columns that the output
+// is linear in (H + 1, and fixed ones); additions and bit operations have ports of their own:
+//   activations     H (I + 14), one division each
+//   slopes, errors  4 H
+//   Q = phi T       n (n + 1) / 2
+//   QᵀQ, Qᵀe        n (n + 3) / 2
+//   DᵀD             H (H + 1) / 2 * (1 + (I + 1) (I + 2) / 2): as every column of D is a unit's slope times
+//   an
+//                   input or one, products of slopes serve (I + 1) (I + 2) / 2 elements each
+//   DᵀQ, Dᵀe        H (I + 1) (n + 2)
+// 3-7-1: 766 for Jacobian, JᵀJ and Jᵀe, of which 119 are activations; a dense JᵀJ alone would take 703.
 #if defined(PROOFMASS_PERCEPTRON_KERNELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PERCEPTRON_KERNELS_INL
 #undef PROOFMASS_PERCEPTRON_KERNELS_INL
@@ -11,186 +23,172 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
+#include "proofmass/numeric/hyperbolic_tangent-inl.hpp"
 #include "proofmass/numeric/perceptron_kernels.hpp"
+#include "proofmass/numeric/product_sums-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<double, Samples::kRowMultiple>;
-using V = hn::Vec<D>;
-constexpr D kD{};
+// A network whose output is linear in further columns: all its weights, those of the fixed columns last.
+struct Network {
+  const PerceptronShape& shape;
+  const double* weights;
+  const ColumnBlock& fixed;
 
-// Rows of a block: its columns and its share of the accumulators stay in the first two levels of cache.
-constexpr std::size_t kBlockRows = 128;
-
-// tanh z = m / (m + 2) with m = exp(2z) - 1, relative error of a few units in the last place for every z: the
-// last digits of training hang on it. exp by reduction to |r| <= ln 2 / 2 and a polynomial of degree 11
-// (Chebyshev interpolation, relative error 1.7e-17). 22 vector operations and one division.
-HWY_INLINE V Tanh(V z) {
-  const auto constant = [](double c) HWY_ATTR { return hn::Set(kD, c); };
-  const hn::RebindToUnsigned<D> du;
-  const V t = hn::Min(constant(40.0), hn::Max(constant(-40.0), hn::Add(z, z)));
-  // Adding 1.5 * 2^52 leaves the rounded integer in the low bits of the sum.
-  const V magic = constant(6755399441055744.0);
-  const V shifted = hn::MulAdd(t, constant(1.4426950408889634), magic);
-  const V k = hn::Sub(shifted, magic);
-  V r = hn::NegMulAdd(k, constant(0.693147180369123816490), t);
-  r = hn::NegMulAdd(k, constant(1.90821492927058770002e-10), r);
-  const V r2 = hn::Mul(r, r);
-  const V r4 = hn::Mul(r2, r2);
-  const V p01 = hn::MulAdd(constant(0.16666666666666669), r, constant(0.5000000000000001));
-  const V p23 = hn::MulAdd(constant(0.008333333333330065), r, constant(0.041666666666624164));
-  const V p45 = hn::MulAdd(constant(0.00019841269863040545), r, constant(0.0013888888917196719));
-  const V p67 = hn::MulAdd(constant(2.7557268480310024e-06), r, constant(2.4801521322368692e-05));
-  const V p89 = hn::MulAdd(constant(2.5100375832561234e-08), r, constant(2.7620075879983367e-07));
-  const V low = hn::MulAdd(p23, r2, p01);
-  const V high = hn::MulAdd(p67, r2, p45);
-  const V p = hn::MulAdd(hn::MulAdd(p89, r4, high), r4, low);
-  const V exponential_less_one = hn::MulAdd(r2, p, r);  // of r
-  const auto exponent = hn::ShiftLeft<52>(hn::BitCast(du, shifted));
-  const V scale = hn::BitCast(kD, hn::Add(hn::BitCast(du, constant(1.0)), exponent));
-  const V m = hn::MulAdd(scale, exponential_less_one, hn::Sub(scale, constant(1.0)));
-  const V tanh = hn::Div(m, hn::Add(m, constant(2.0)));
-  // Min and Max pass on a second operand that is not a number, but not where Highway emulates them.
-  if constexpr (HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128) {
-    return hn::IfThenElse(hn::IsNaN(z), z, tanh);
-  }
-  return tanh;
-}
-
-// Weighted sum of the inputs of row `row` plus the bias: the argument of one hidden unit.
-HWY_INLINE V HiddenArgument(const PerceptronShape& shape, const double* weights, std::size_t unit,
-                            const Samples& samples, std::size_t row) {
-  V z = hn::Set(kD, weights[shape.hidden * shape.inputs + unit]);
-  for (std::size_t k = 0; k < shape.inputs; ++k) {
-    z = hn::MulAdd(hn::Set(kD, weights[unit * shape.inputs + k]), hn::LoadU(kD, samples.input_data(k) + row),
-                   z);
-  }
-  return z;
-}
-
-// Activations of one unit over rows [first, last), zero in the padding.
-HWY_INLINE void HiddenColumn(const PerceptronShape& shape, const double* weights, std::size_t unit,
-                             const Samples& samples, std::size_t first, std::size_t last, double* h) {
-  for (std::size_t row = first; row < last; row += hn::Lanes(kD)) {
-    const V mask = hn::LoadU(kD, samples.mask_data() + row);
-    const V z = HiddenArgument(shape, weights, unit, samples, row);
-    hn::StoreU(hn::Mul(mask, Tanh(z)), kD, h + (row - first));
-  }
-}
-
-// Derivative of v * tanh(w . x + b) by b and w over rows [first, last), from the activations h of those rows:
-// columns `stride` apart, one an input, then the bias at `bias`.
-HWY_INLINE void HiddenDerivatives(const PerceptronShape& shape, double v, const double* h,
-                                  const Samples& samples, std::size_t first, std::size_t last,
-                                  double* columns, std::size_t stride, double* bias) {
-  const V scale = hn::Set(kD, v);
-  for (std::size_t row = first; row < last; row += hn::Lanes(kD)) {
-    const std::size_t at = row - first;
-    const V activation = hn::LoadU(kD, h + at);
-    const V slope =
-        hn::Mul(scale, hn::NegMulAdd(activation, activation, hn::LoadU(kD, samples.mask_data() + row)));
-    hn::StoreU(slope, kD, bias + at);
-    for (std::size_t k = 0; k < shape.inputs; ++k) {
-      hn::StoreU(hn::Mul(slope, hn::LoadU(kD, samples.input_data(k) + row)), kD, columns + k * stride + at);
-    }
-  }
-}
-
-// acc[i][j] += left_i . right_j lane by lane, for a tile of kTileRows x kTileColumns columns kept in
-// registers.
-constexpr std::size_t kTileRows = 4;
-constexpr std::size_t kTileColumns = HWY_TARGET <= HWY_AVX3 ? 4 : 2;
-
-HWY_INLINE void ProductTile(const double* const* left, const double* const* right, std::size_t rows,
-                            double* acc) {
-  constexpr std::size_t kLanes =
-      HWY_LANES(double) < Samples::kRowMultiple ? HWY_LANES(double) : Samples::kRowMultiple;
-  V sums[kTileRows][kTileColumns];
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < kTileRows; ++i) {
-#pragma GCC unroll 4
-    for (std::size_t j = 0; j < kTileColumns; ++j)
-      sums[i][j] = hn::LoadU(kD, acc + (i * kTileColumns + j) * kLanes);
-  }
-  for (std::size_t row = 0; row < rows; row += kLanes) {
-    V b[kTileColumns];
-#pragma GCC unroll 4
-    for (std::size_t j = 0; j < kTileColumns; ++j) b[j] = hn::LoadU(kD, right[j] + row);
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < kTileRows; ++i) {
-      const V a = hn::LoadU(kD, left[i] + row);
-#pragma GCC unroll 4
-      for (std::size_t j = 0; j < kTileColumns; ++j) sums[i][j] = hn::MulAdd(a, b[j], sums[i][j]);
-    }
-  }
-#pragma GCC unroll 4
-  for (std::size_t i = 0; i < kTileRows; ++i) {
-#pragma GCC unroll 4
-    for (std::size_t j = 0; j < kTileColumns; ++j)
-      hn::StoreU(sums[i][j], kD, acc + (i * kTileColumns + j) * kLanes);
-  }
-}
-
-// Sums of products of the columns of one list with those of another, block after block. With `upper` only the
-// tiles that reach the upper triangle are computed.
-class ProductSums {
- public:
-  ProductSums(std::size_t left, std::size_t right, bool upper)
-      : left_((left + kTileRows - 1) / kTileRows * kTileRows),
-        right_((right + kTileColumns - 1) / kTileColumns * kTileColumns),
-        upper_(upper),
-        sums_(left_ * right_ * hn::Lanes(kD), 0.0),
-        zeros_(kBlockRows, 0.0),
-        left_columns_(left_, zeros_.data()),
-        right_columns_(right_, zeros_.data()) {}
-
-  void set_left(std::size_t i, const double* column) { left_columns_[i] = column; }
-  void set_right(std::size_t j, const double* column) { right_columns_[j] = column; }
-
-  // The columns set before hold `rows` rows, at most kBlockRows.
-  void add(std::size_t rows) {
-    for (std::size_t i = 0; i < left_; i += kTileRows) {
-      for (std::size_t j = 0; j < right_; j += kTileColumns) {
-        if (upper_ && j + kTileColumns <= i) continue;
-        ProductTile(&left_columns_[i], &right_columns_[j], rows, tile(i, j));
-      }
-    }
-  }
-
-  // The sum of products of column i of the left list and column j of the right.
-  [[nodiscard]] double sum(std::size_t i, std::size_t j) {
-    const std::size_t ti = i / kTileRows * kTileRows;
-    const std::size_t tj = j / kTileColumns * kTileColumns;
-    const double* lanes = tile(ti, tj) + ((i - ti) * kTileColumns + (j - tj)) * hn::Lanes(kD);
-    return hn::GetLane(hn::SumOfLanes(kD, hn::LoadU(kD, lanes)));
-  }
-
- private:
-  double* tile(std::size_t i, std::size_t j) {
-    return sums_.data() + (i * right_ + j * kTileRows) * hn::Lanes(kD);
-  }
-
-  std::size_t left_, right_;
-  bool upper_;
-  AlignedColumn sums_, zeros_;
-  std::vector<const double*> left_columns_, right_columns_;
+  [[nodiscard]] const double* output() const { return weights + shape.hidden_weights(); }
 };
 
-// v = target - phi * coefficients for one vector of rows.
-HWY_INLINE V ResidualVector(const ColumnBlock& phi, const double* coefficients, const Samples& samples,
-                            std::size_t row) {
-  V e = hn::LoadU(kD, samples.target_data() + row);
-  for (std::size_t c = 0; c < phi.columns(); ++c) {
-    e = hn::NegMulAdd(hn::Set(kD, coefficients[c]), hn::LoadU(kD, phi.column(c) + row), e);
+// Calls body with the number of inputs as a constant where it is a usual one, so that loops over inputs
+// unroll; otherwise with 0.
+template <typename Body>
+HWY_INLINE void WithInputs(std::size_t inputs, const Body& body) {
+  switch (inputs) {
+    case 1:
+      return body(std::integral_constant<std::size_t, 1>());
+    case 2:
+      return body(std::integral_constant<std::size_t, 2>());
+    case 3:
+      return body(std::integral_constant<std::size_t, 3>());
+    default:
+      return body(std::integral_constant<std::size_t, 0>());
   }
-  return e;
+}
+
+// Vectors of rows that go through a kernel together, and as many that follow each other.
+constexpr std::size_t kTogether = 4;
+
+// Calls body with kTogether for as many vectors of rows as there are, and with 1 for the rest.
+template <typename Body>
+HWY_INLINE void ForRows(std::size_t rows, const Body& body) {
+  std::size_t row = 0;
+  for (; row + kTogether * kLanes <= rows; row += kTogether * kLanes) {
+    body(row, std::integral_constant<std::size_t, kTogether>());
+  }
+  for (; row < rows; row += kLanes) body(row, std::integral_constant<std::size_t, 1>());
+}
+
+// z = weighted sum of the inputs of the rows from `row` on plus the bias, the argument of one hidden unit.
+template <std::size_t kInputs, std::size_t kVectors>
+HWY_INLINE void HiddenArgument(const PerceptronShape& shape, const double* weights, std::size_t unit,
+                               const Samples& samples, std::size_t row, V (&z)[kVectors]) {
+  const std::size_t inputs = kInputs > 0 ? kInputs : shape.inputs;
+  const V bias = hn::Set(kD, weights[shape.hidden * inputs + unit]);
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { z[i] = bias; });
+#pragma GCC unroll 3
+  for (std::size_t k = 0; k < inputs; ++k) {
+    const V weight = hn::Set(kD, weights[unit * inputs + k]);
+    const double* const x = samples.input_data(k) + row;
+    Each<kVectors>([&](std::size_t i)
+                       HWY_ATTR { z[i] = hn::MulAdd(weight, hn::LoadU(kD, x + i * kLanes), z[i]); });
+  }
+}
+
+HWY_INLINE void ClearPadding(double* column, std::size_t real, std::size_t rows) {
+  std::fill(column + std::min(real, rows), column + rows, 0.0);
+}
+
+// What a pass keeps of a block of rows.
+struct HiddenColumns {
+  double* activation;  // one column a unit
+  double* slope;       // v (1 - activation²), one column a unit; null where not wanted
+  double* error;       // target less output
+};
+
+// Fills the columns for kVectors vectors of rows of a block, the first of them `at` within it and `first +
+// at` within the samples.
+template <std::size_t kInputs, std::size_t kVectors>
+HWY_INLINE void HiddenRows(const Network& network, const Samples& samples, std::size_t first, std::size_t at,
+                           const HiddenColumns& columns) {
+  const PerceptronShape& shape = network.shape;
+  const double* const v = network.output();
+  V error[kVectors];
+  Each<kVectors>([&](std::size_t i) HWY_ATTR {
+    error[i] =
+        hn::Sub(hn::LoadU(kD, samples.target_data() + first + at + i * kLanes), hn::Set(kD, v[shape.hidden]));
+  });
+  for (std::size_t j = 0; j < shape.hidden; ++j) {
+    V h[kVectors];
+    HiddenArgument<kInputs>(shape, network.weights, j, samples, first + at, h);
+    Tanh(h);
+    const V weight = hn::Set(kD, v[j]);
+    double* const activation = columns.activation + j * kStride + at;
+    Each<kVectors>([&](std::size_t i) HWY_ATTR {
+      hn::StoreU(h[i], kD, activation + i * kLanes);
+      error[i] = hn::NegMulAdd(weight, h[i], error[i]);
+    });
+    if (columns.slope == nullptr) continue;
+    double* const slope = columns.slope + j * kStride + at;
+    Each<kVectors>([&](std::size_t i) HWY_ATTR {
+      hn::StoreU(hn::Mul(weight, hn::NegMulAdd(h[i], h[i], hn::Set(kD, 1.0))), kD, slope + i * kLanes);
+    });
+  }
+  for (std::size_t c = 0; c < network.fixed.columns(); ++c) {
+    const double* const column = network.fixed.column(c) + first + at;
+    const V weight = hn::Set(kD, v[shape.hidden + 1 + c]);
+    Each<kVectors>([&](std::size_t i) HWY_ATTR {
+      error[i] = hn::NegMulAdd(weight, hn::LoadU(kD, column + i * kLanes), error[i]);
+    });
+  }
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(error[i], kD, columns.error + at + i * kLanes); });
+}
+
+// Fills the columns for `rows` rows from `first` on, zero in the padding.
+void HiddenBlock(const Network& network, const Samples& samples, std::size_t first, std::size_t rows,
+                 const HiddenColumns& columns) {
+  WithInputs(network.shape.inputs, [&](auto inputs) HWY_ATTR {
+    ForRows(rows, [&](std::size_t at, auto together) HWY_ATTR {
+      HiddenRows<decltype(inputs)::value, decltype(together)::value>(network, samples, first, at, columns);
+    });
+  });
+  const std::size_t real = samples.rows() - first;
+  if (real >= rows) return;
+  ClearPadding(columns.error, real, rows);
+  for (std::size_t j = 0; j < network.shape.hidden; ++j) {
+    ClearPadding(columns.activation + j * kStride, real, rows);
+    if (columns.slope != nullptr) ClearPadding(columns.slope + j * kStride, real, rows);
+  }
+}
+
+// Products of the inputs two and two, each input taken last being one: x_1 x_1, x_1 x_2, … x_1, x_2 x_2, …
+// x_I, 1.
+void MomentBlock(const Samples& samples, std::size_t first, std::size_t rows, double* moments) {
+  for (std::size_t k = 0; k < samples.inputs(); ++k) {
+    const double* const x = samples.input_data(k) + first;
+    for (std::size_t l = k; l < samples.inputs(); ++l, moments += kStride) {
+      const double* const y = samples.input_data(l) + first;
+      for (std::size_t at = 0; at < rows; at += kLanes) {
+        hn::StoreU(hn::Mul(hn::LoadU(kD, x + at), hn::LoadU(kD, y + at)), kD, moments + at);
+      }
+    }
+    std::copy_n(x, rows, moments);
+    moments += kStride;
+  }
+  std::copy_n(samples.mask_data() + first, rows, moments);
+}
+
+// q = phi * transform (upper triangular).
+void TransformBlock(const double* const* phi, const Matrix& transform, std::size_t rows, double* q) {
+  for (std::size_t c = 0; c < transform.columns(); ++c, q += kStride) {
+    ForRows(rows, [&](std::size_t at, auto together) HWY_ATTR {
+      constexpr std::size_t kVectors = decltype(together)::value;
+      V sums[kVectors];
+      Each<kVectors>([&](std::size_t i) HWY_ATTR { sums[i] = hn::Zero(kD); });
+      for (std::size_t r = 0; r <= c; ++r) {
+        const V factor = hn::Set(kD, transform(r, c));
+        const double* const column = phi[r] + at;
+        Each<kVectors>([&](std::size_t i) HWY_ATTR {
+          sums[i] = hn::MulAdd(factor, hn::LoadU(kD, column + i * kLanes), sums[i]);
+        });
+      }
+      Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(sums[i], kD, q + at + i * kLanes); });
+    });
+  }
 }
 
 }  // namespace HWY_NAMESPACE

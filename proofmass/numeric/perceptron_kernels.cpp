@@ -5,201 +5,161 @@
 #define HWY_TARGET_INCLUDE "proofmass/numeric/perceptron_kernels.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target includes this file once for every instruction set; the next header must come after it.
-#include "proofmass/numeric/perceptron_kernels-inl.hpp"
+#include "proofmass/numeric/perceptron_products-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-double Forward(const PerceptronShape& shape, const double* weights, const Samples& samples, double* outputs) {
-  const double* v = weights + shape.hidden_weights();
-  V sums = hn::Zero(kD);
-  for (std::size_t row = 0; row < samples.padded_rows(); row += hn::Lanes(kD)) {
-    V output = hn::Set(kD, v[shape.hidden]);
-    for (std::size_t j = 0; j < shape.hidden; ++j) {
-      output = hn::MulAdd(hn::Set(kD, v[j]), Tanh(HiddenArgument(shape, weights, j, samples, row)), output);
-    }
-    if (outputs != nullptr) hn::StoreU(output, kD, outputs + row);
-    const V mask = hn::LoadU(kD, samples.mask_data() + row);
-    const V e = hn::Mul(mask, hn::Sub(hn::LoadU(kD, samples.target_data() + row), output));
-    sums = hn::MulAdd(e, e, sums);
-  }
-  return hn::GetLane(hn::SumOfLanes(kD, sums));
+void TanhOf(const double* z, std::size_t size, double* result) {
+  const std::size_t whole = size / kLanes * kLanes;
+  ForRows(whole, [&](std::size_t at, auto together) HWY_ATTR {
+    constexpr std::size_t kVectors = decltype(together)::value;
+    V values[kVectors];
+    Each<kVectors>([&](std::size_t i) HWY_ATTR { values[i] = hn::LoadU(kD, z + at + i * kLanes); });
+    Tanh(values);
+    Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(values[i], kD, result + at + i * kLanes); });
+  });
+  if (whole == size) return;
+  HWY_ALIGN double rest[kLanes] = {};
+  std::copy(z + whole, z + size, rest);
+  V values[1] = {hn::Load(kD, rest)};
+  Tanh(values);
+  hn::Store(values[0], kD, rest);
+  std::copy(rest, rest + (size - whole), result + whole);
 }
 
-double NormalEquations(const PerceptronShape& shape, const double* weights, const Samples& samples,
-                       Matrix& jtj, double* jte) {
-  const std::size_t inputs = shape.inputs;
-  const std::size_t hidden = shape.hidden;
-  const std::size_t p = shape.parameters();
-  const double* v = weights + shape.hidden_weights();
-  ColumnBlock columns(p + 1, kBlockRows);  // the Jacobian's, then the residual
-  ProductSums sums(p + 1, p + 1, true);
-  for (std::size_t c = 0; c <= p; ++c) {
-    sums.set_left(c, columns.column(c));
-    sums.set_right(c, columns.column(c));
+// The outputs of kVectors vectors of rows from `row` on.
+template <std::size_t kInputs, std::size_t kVectors>
+HWY_INLINE void OutputRows(const PerceptronShape& shape, const double* weights, const Samples& samples,
+                           std::size_t row, V (&output)[kVectors]) {
+  const double* const v = weights + shape.hidden_weights();
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { output[i] = hn::Set(kD, v[shape.hidden]); });
+  for (std::size_t j = 0; j < shape.hidden; ++j) {
+    V h[kVectors];
+    HiddenArgument<kInputs>(shape, weights, j, samples, row, h);
+    Tanh(h);
+    const V weight = hn::Set(kD, v[j]);
+    Each<kVectors>([&](std::size_t i) HWY_ATTR { output[i] = hn::MulAdd(weight, h[i], output[i]); });
   }
-  double* const e = columns.column(p);
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t last = std::min(first + kBlockRows, samples.padded_rows());
-    std::copy_n(samples.mask_data() + first, last - first, columns.column(p - 1));
-    for (std::size_t j = 0; j < hidden; ++j) {
-      double* const h = columns.column(shape.hidden_weights() + j);
-      HiddenColumn(shape, weights, j, samples, first, last, h);
-      HiddenDerivatives(shape, v[j], h, samples, first, last, columns.column(j * inputs), kBlockRows,
-                        columns.column(hidden * inputs + j));
-    }
-    for (std::size_t row = first; row < last; row += hn::Lanes(kD)) {
-      const std::size_t at = row - first;
-      V residual = hn::NegMulAdd(hn::Set(kD, v[hidden]), hn::LoadU(kD, samples.mask_data() + row),
-                                 hn::LoadU(kD, samples.target_data() + row));
-      for (std::size_t j = 0; j < hidden; ++j) {
-        const V h = hn::LoadU(kD, columns.column(shape.hidden_weights() + j) + at);
-        residual = hn::NegMulAdd(hn::Set(kD, v[j]), h, residual);
+}
+
+// Returns the sum of squared errors; stores the outputs unless null.
+double Forward(const PerceptronShape& shape, const double* weights, const Samples& samples, double* outputs) {
+  V sums = hn::Zero(kD);
+  WithInputs(shape.inputs, [&](auto inputs) HWY_ATTR {
+    ForRows(samples.padded_rows(), [&](std::size_t row, auto together) HWY_ATTR {
+      constexpr std::size_t kVectors = decltype(together)::value;
+      V output[kVectors];
+      OutputRows<decltype(inputs)::value>(shape, weights, samples, row, output);
+      for (std::size_t i = 0; i < kVectors; ++i) {
+        const std::size_t at = row + i * kLanes;
+        if (outputs != nullptr) hn::StoreU(output[i], kD, outputs + at);
+        const V error = hn::Sub(hn::LoadU(kD, samples.target_data() + at), output[i]);
+        const V real = hn::Mul(hn::LoadU(kD, samples.mask_data() + at), error);
+        sums = hn::MulAdd(real, real, sums);
       }
-      hn::StoreU(residual, kD, e + at);
-    }
-    sums.add(last - first);
-  }
-  for (std::size_t c = 0; c < p; ++c) {
-    for (std::size_t r = 0; r <= c; ++r) jtj(r, c) = jtj(c, r) = sums.sum(r, c);
-    jte[c] = sums.sum(c, p);
-  }
-  return sums.sum(p, p);
+    });
+  });
+  return hn::GetLane(hn::SumOfLanes(kD, sums));
 }
 
 void Activations(const PerceptronShape& shape, const double* weights, const Samples& samples,
                  ColumnBlock& phi) {
   for (std::size_t j = 0; j < shape.hidden; ++j) {
-    HiddenColumn(shape, weights, j, samples, 0, samples.padded_rows(), phi.column(j));
+    ForRows(samples.padded_rows(), [&](std::size_t row, auto together) HWY_ATTR {
+      constexpr std::size_t kVectors = decltype(together)::value;
+      V h[kVectors];
+      HiddenArgument<0>(shape, weights, j, samples, row, h);
+      Tanh(h);
+      Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(h[i], kD, phi.column(j) + row + i * kLanes); });
+    });
+    ClearPadding(phi.column(j), samples.rows(), samples.padded_rows());
   }
-  std::copy_n(samples.mask_data(), samples.padded_rows(), phi.column(shape.hidden));
 }
 
-void Transform(const ColumnBlock& phi, const Matrix& transform, const Samples& samples, ColumnBlock& q,
-               Matrix& gram, double* qty) {
-  const std::size_t n = phi.columns();
-  ProductSums sums(n, n + 1, true);
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t last = std::min(first + kBlockRows, samples.padded_rows());
-    for (std::size_t row = first; row < last; row += hn::Lanes(kD)) {
-      for (std::size_t c = 0; c < n; ++c) {
-        V value = hn::Zero(kD);
-        for (std::size_t k = 0; k <= c; ++k) {
-          value = hn::MulAdd(hn::Set(kD, transform(k, c)), hn::LoadU(kD, phi.column(k) + row), value);
-        }
-        hn::StoreU(value, kD, q.column(c) + row);
-      }
+void SumProducts(const PerceptronShape& shape, const double* weights, const Samples& samples,
+                 const ColumnBlock& fixed, const Matrix* transform, bool derivatives,
+                 PerceptronProducts& products) {
+  const Network network{shape, weights, fixed};
+  Products pass(network, samples, transform, derivatives);
+  pass.run();
+  pass.store(products);
+}
+
+// Second derivative of the output along `direction`, for the block of rows from `first` on: a unit with
+// argument z and dz along the direction gives 2 dz (dv (1 - h²) - slope h dz).
+template <std::size_t kInputs>
+void SecondDerivative(const Network& network, const double* direction, const Samples& samples,
+                      std::size_t first, std::size_t rows, const HiddenColumns& columns, double* second) {
+  const double* const dv = direction + network.shape.hidden_weights();
+  ForRows(rows, [&](std::size_t at, auto together) HWY_ATTR {
+    constexpr std::size_t kVectors = decltype(together)::value;
+    V sum[kVectors];
+    Each<kVectors>([&](std::size_t i) HWY_ATTR { sum[i] = hn::Zero(kD); });
+    for (std::size_t j = 0; j < network.shape.hidden; ++j) {
+      V dz[kVectors];
+      HiddenArgument<kInputs>(network.shape, direction, j, samples, first + at, dz);
+      Each<kVectors>([&](std::size_t i) HWY_ATTR {
+        const V h = hn::LoadU(kD, columns.activation + j * kStride + at + i * kLanes);
+        const V slope = hn::LoadU(kD, columns.slope + j * kStride + at + i * kLanes);
+        const V rate = hn::Mul(hn::Set(kD, dv[j]), hn::NegMulAdd(h, h, hn::Set(kD, 1.0)));
+        sum[i] = hn::MulAdd(dz[i], hn::NegMulAdd(hn::Mul(slope, h), dz[i], rate), sum[i]);
+      });
     }
-    for (std::size_t c = 0; c < n; ++c) {
-      sums.set_left(c, q.column(c) + first);
-      sums.set_right(c, q.column(c) + first);
+    Each<kVectors>([&](std::size_t i)
+                       HWY_ATTR { hn::StoreU(hn::Add(sum[i], sum[i]), kD, second + at + i * kLanes); });
+  });
+  ClearPadding(second, samples.rows() - first, rows);
+}
+
+// Columns of a block: activations, ones, fixed columns; slopes; error; second derivative; inputs and one.
+void Curvature(const PerceptronShape& shape, const double* weights, const double* direction,
+               const Samples& samples, const ColumnBlock& fixed, double* d_second, double* phi_second) {
+  const Network network{shape, weights, fixed};
+  const std::size_t hidden = shape.hidden;
+  const std::size_t n = shape.output_weights() + fixed.columns();
+  ProductSums by_weight(hidden, shape.inputs + 1, false), by_output(1, n, false);
+  const std::size_t sums = by_weight.storage() + by_output.storage();
+  double* const storage = kernel_scratch(sums + (n + hidden + shape.inputs + 3) * kStride);
+  std::fill_n(storage, sums, 0.0);
+  by_weight.start(storage);
+  by_output.start(storage + by_weight.storage());
+  double* const phi = storage + sums;
+  double* const slope = phi + n * kStride;
+  double* const error = slope + hidden * kStride;
+  double* const second = error + kStride;
+  double* const inputs = second + kStride;
+  for (std::size_t j = 0; j < hidden; ++j) by_weight.left[j] = {second, slope + j * kStride};
+  by_weight.right = inputs;
+  by_output.right = phi;
+  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
+    const std::size_t rows = std::min(kBlockRows, samples.padded_rows() - first);
+    const double* const ones = samples.mask_data() + first;
+    const HiddenColumns columns{.activation = phi, .slope = slope, .error = error};
+    HiddenBlock(network, samples, first, rows, columns);
+    WithInputs(shape.inputs, [&](auto count) HWY_ATTR {
+      SecondDerivative<decltype(count)::value>(network, direction, samples, first, rows, columns, second);
+    });
+    std::copy_n(ones, rows, phi + hidden * kStride);
+    for (std::size_t c = 0; c < fixed.columns(); ++c) {
+      std::copy_n(fixed.column(c) + first, rows, phi + (hidden + 1 + c) * kStride);
     }
-    sums.set_right(n, samples.target_data() + first);
-    sums.add(last - first);
-  }
-  for (std::size_t c = 0; c < n; ++c) {
-    for (std::size_t r = 0; r <= c; ++r) gram(r, c) = gram(c, r) = sums.sum(r, c);
-    qty[c] = sums.sum(c, n);
-  }
-}
-
-double Residual(const ColumnBlock& phi, const double* coefficients, const Samples& samples,
-                const ColumnBlock& q, double* residual, double* qt_residual) {
-  V sums = hn::Zero(kD);
-  ProductSums products(q.columns(), 1, false);
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t last = std::min(first + kBlockRows, samples.padded_rows());
-    for (std::size_t row = first; row < last; row += hn::Lanes(kD)) {
-      const V e = ResidualVector(phi, coefficients, samples, row);
-      hn::StoreU(e, kD, residual + row);
-      sums = hn::MulAdd(e, e, sums);
+    for (std::size_t k = 0; k < shape.inputs; ++k) {
+      std::copy_n(samples.input_data(k) + first, rows, inputs + k * kStride);
     }
-    for (std::size_t c = 0; c < q.columns(); ++c) products.set_left(c, q.column(c) + first);
-    products.set_right(0, residual + first);
-    products.add(last - first);
+    std::copy_n(ones, rows, inputs + shape.inputs * kStride);
+    by_output.left[0] = {second, ones};
+    by_weight.add(rows);
+    by_output.add(rows);
   }
-  for (std::size_t c = 0; c < q.columns(); ++c) qt_residual[c] = products.sum(c, 0);
-  return hn::GetLane(hn::SumOfLanes(kD, sums));
-}
-
-// Columns of D for a block of rows: w_1 … w_H, then b_1 … b_H.
-void HiddenJacobianBlock(const PerceptronShape& shape, const double* v, const ColumnBlock& phi,
-                         const Samples& samples, std::size_t first, std::size_t last, ColumnBlock& d) {
-  for (std::size_t j = 0; j < shape.hidden; ++j) {
-    HiddenDerivatives(shape, v[j], phi.column(j) + first, samples, first, last, d.column(j * shape.inputs),
-                      kBlockRows, d.column(shape.hidden * shape.inputs + j));
+  by_weight.finish();
+  by_output.finish();
+  for (std::size_t j = 0; j < hidden; ++j) {
+    for (std::size_t k = 0; k < shape.inputs; ++k) d_second[j * shape.inputs + k] = by_weight.total(j, k);
+    d_second[hidden * shape.inputs + j] = by_weight.total(j, shape.inputs);
   }
-}
-
-void Cross(const PerceptronShape& shape, const double* v, const ColumnBlock& phi, const ColumnBlock& q,
-           const Samples& samples, Matrix& cross) {
-  const std::size_t p = shape.hidden_weights();
-  ColumnBlock d(p, kBlockRows);
-  ProductSums sums(q.columns(), p, false);
-  for (std::size_t c = 0; c < p; ++c) sums.set_right(c, d.column(c));
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t last = std::min(first + kBlockRows, samples.padded_rows());
-    HiddenJacobianBlock(shape, v, phi, samples, first, last, d);
-    for (std::size_t c = 0; c < q.columns(); ++c) sums.set_left(c, q.column(c) + first);
-    sums.add(last - first);
-  }
-  for (std::size_t c = 0; c < p; ++c) {
-    for (std::size_t r = 0; r < q.columns(); ++r) cross(r, c) = sums.sum(r, c);
-  }
-}
-
-// column -= q * coefficients over rows [first, last).
-HWY_INLINE void Project(const ColumnBlock& q, const Matrix& cross, std::size_t column, std::size_t first,
-                        std::size_t last, double* values) {
-  for (std::size_t row = first; row < last; row += hn::Lanes(kD)) {
-    V value = hn::LoadU(kD, values + (row - first));
-    for (std::size_t k = 0; k < q.columns(); ++k) {
-      value = hn::NegMulAdd(hn::Set(kD, cross(k, column)), hn::LoadU(kD, q.column(k) + row), value);
-    }
-    hn::StoreU(value, kD, values + (row - first));
-  }
-}
-
-void ProjectedNormal(const PerceptronShape& shape, const double* v, const ColumnBlock& phi,
-                     const ColumnBlock& q, const Matrix& cross, const ColumnBlock& residual,
-                     const Samples& samples, Matrix& normal, double* gradient) {
-  const std::size_t p = shape.hidden_weights();
-  ColumnBlock d(p, kBlockRows);
-  ProductSums sums(p, p + 1, true);
-  for (std::size_t c = 0; c < p; ++c) {
-    sums.set_left(c, d.column(c));
-    sums.set_right(c, d.column(c));
-  }
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t last = std::min(first + kBlockRows, samples.padded_rows());
-    HiddenJacobianBlock(shape, v, phi, samples, first, last, d);
-    for (std::size_t c = 0; c < p; ++c) Project(q, cross, c, first, last, d.column(c));
-    sums.set_right(p, residual.column(0) + first);
-    sums.add(last - first);
-  }
-  for (std::size_t c = 0; c < p; ++c) {
-    for (std::size_t r = 0; r <= c; ++r) normal(r, c) = normal(c, r) = sums.sum(r, c);
-    gradient[c] = sums.sum(c, p);
-  }
-}
-
-void Transposed(const PerceptronShape& shape, const double* v, const ColumnBlock& phi, const ColumnBlock& q,
-                const ColumnBlock& residual, const Samples& samples, double* dt_residual,
-                double* qt_residual) {
-  const std::size_t p = shape.hidden_weights();
-  ColumnBlock d(p, kBlockRows);
-  ProductSums sums(p + q.columns(), 1, false);
-  for (std::size_t c = 0; c < p; ++c) sums.set_left(c, d.column(c));
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t last = std::min(first + kBlockRows, samples.padded_rows());
-    HiddenJacobianBlock(shape, v, phi, samples, first, last, d);
-    for (std::size_t c = 0; c < q.columns(); ++c) sums.set_left(p + c, q.column(c) + first);
-    sums.set_right(0, residual.column(0) + first);
-    sums.add(last - first);
-  }
-  for (std::size_t c = 0; c < p; ++c) dt_residual[c] = sums.sum(c, 0);
-  for (std::size_t c = 0; c < q.columns(); ++c) qt_residual[c] = sums.sum(p + c, 0);
+  for (std::size_t c = 0; c < n; ++c) phi_second[c] = by_output.total(0, c);
 }
 
 const char* Target() { return hwy::TargetName(HWY_TARGET); }
@@ -211,15 +171,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace proofmass {
 
+HWY_EXPORT(TanhOf);
 HWY_EXPORT(Forward);
-HWY_EXPORT(NormalEquations);
 HWY_EXPORT(Activations);
-HWY_EXPORT(Transform);
-HWY_EXPORT(Residual);
-HWY_EXPORT(Cross);
-HWY_EXPORT(ProjectedNormal);
-HWY_EXPORT(Transposed);
+HWY_EXPORT(SumProducts);
+HWY_EXPORT(Curvature);
 HWY_EXPORT(Target);
+
+double* kernel_scratch(std::size_t size) {
+  thread_local AlignedColumn storage;
+  if (storage.size() < size) storage.resize(size);
+  return storage.data();
+}
 
 void perceptron_outputs(const PerceptronShape& shape, std::span<const double> weights, const Samples& samples,
                         std::span<double> outputs) {
@@ -234,7 +197,18 @@ double perceptron_sse(const PerceptronShape& shape, std::span<const double> weig
 
 double perceptron_normal_equations(const PerceptronShape& shape, std::span<const double> weights,
                                    const Samples& samples, Matrix& jtj, std::span<double> jte) {
-  return HWY_DYNAMIC_DISPATCH(NormalEquations)(shape, weights.data(), samples, jtj, jte.data());
+  const std::size_t p = shape.hidden_weights();
+  const std::size_t n = shape.output_weights();
+  PerceptronProducts products(shape, 0);
+  HWY_DYNAMIC_DISPATCH(SumProducts)(shape, weights.data(), samples, {}, nullptr, true, products);
+  for (std::size_t c = 0; c < p; ++c) std::copy_n(products.dd.column(c).begin(), p, jtj.column(c).begin());
+  for (std::size_t c = 0; c < n; ++c) {
+    for (std::size_t r = 0; r < p; ++r) jtj(r, p + c) = jtj(p + c, r) = products.dq(r, c);
+    std::copy_n(products.qq.column(c).begin(), n, jtj.column(p + c).begin() + static_cast<std::ptrdiff_t>(p));
+  }
+  std::copy(products.de.begin(), products.de.end(), jte.begin());
+  std::copy(products.qe.begin(), products.qe.end(), jte.begin() + static_cast<std::ptrdiff_t>(p));
+  return products.ee;
 }
 
 void hidden_activations(const PerceptronShape& shape, std::span<const double> hidden_weights,
@@ -242,36 +216,22 @@ void hidden_activations(const PerceptronShape& shape, std::span<const double> hi
   HWY_DYNAMIC_DISPATCH(Activations)(shape, hidden_weights.data(), samples, phi);
 }
 
-void transform_columns(const ColumnBlock& phi, const Matrix& transform, const Samples& samples,
-                       ColumnBlock& q, Matrix& gram, std::span<double> qty) {
-  HWY_DYNAMIC_DISPATCH(Transform)(phi, transform, samples, q, gram, qty.data());
+void perceptron_products(const PerceptronShape& shape, std::span<const double> weights,
+                         const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
+                         bool derivatives, PerceptronProducts& products) {
+  HWY_DYNAMIC_DISPATCH(SumProducts)
+  (shape, weights.data(), samples, fixed, &transform, derivatives, products);
 }
 
-double column_residual(const ColumnBlock& phi, std::span<const double> coefficients, const Samples& samples,
-                       const ColumnBlock& q, ColumnBlock& residual, std::span<double> qt_residual) {
-  return HWY_DYNAMIC_DISPATCH(Residual)(phi, coefficients.data(), samples, q, residual.column(0),
-                                        qt_residual.data());
+void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,
+                          std::span<const double> direction, const Samples& samples, const ColumnBlock& fixed,
+                          std::span<double> d_second, std::span<double> phi_second) {
+  HWY_DYNAMIC_DISPATCH(Curvature)
+  (shape, weights.data(), direction.data(), samples, fixed, d_second.data(), phi_second.data());
 }
 
-void hidden_jacobian_cross(const PerceptronShape& shape, std::span<const double> v, const ColumnBlock& phi,
-                           const ColumnBlock& q, const Samples& samples, Matrix& cross) {
-  HWY_DYNAMIC_DISPATCH(Cross)(shape, v.data(), phi, q, samples, cross);
-}
-
-void projected_normal_equations(const PerceptronShape& shape, std::span<const double> v,
-                                const ColumnBlock& phi, const ColumnBlock& q, const Matrix& cross,
-                                const ColumnBlock& residual, const Samples& samples, Matrix& normal,
-                                std::span<double> gradient) {
-  HWY_DYNAMIC_DISPATCH(ProjectedNormal)
-  (shape, v.data(), phi, q, cross, residual, samples, normal, gradient.data());
-}
-
-void hidden_jacobian_transposed(const PerceptronShape& shape, std::span<const double> v,
-                                const ColumnBlock& phi, const ColumnBlock& q, const ColumnBlock& residual,
-                                const Samples& samples, std::span<double> dt_residual,
-                                std::span<double> qt_residual) {
-  HWY_DYNAMIC_DISPATCH(Transposed)
-  (shape, v.data(), phi, q, residual, samples, dt_residual.data(), qt_residual.data());
+void tanh_of(std::span<const double> z, std::span<double> result) {
+  HWY_DYNAMIC_DISPATCH(TanhOf)(z.data(), z.size(), result.data());
 }
 
 const char* kernel_target() { return HWY_DYNAMIC_DISPATCH(Target)(); }

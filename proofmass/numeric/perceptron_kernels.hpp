@@ -44,35 +44,45 @@ void perceptron_outputs(const PerceptronShape& shape, std::span<const double> we
 double perceptron_normal_equations(const PerceptronShape& shape, std::span<const double> weights,
                                    const Samples& samples, Matrix& jtj, std::span<double> jte);
 
-// Hidden activations, zero in the padding: the first `hidden` columns of phi; the last, of ones, is the
-// output bias's.
+// Hidden activations, zero in the padding: the first `hidden` columns of phi.
 void hidden_activations(const PerceptronShape& shape, std::span<const double> hidden_weights,
                         const Samples& samples, ColumnBlock& phi);
 
-// q = phi * transform (upper triangular), gram = qᵀq, qty = qᵀ target.
-void transform_columns(const ColumnBlock& phi, const Matrix& transform, const Samples& samples,
-                       ColumnBlock& q, Matrix& gram, std::span<double> qty);
+// What a network and its samples come to, summed over the samples. D: derivatives of the output by the hidden
+// weights; phi: the columns that the output is linear in (hidden activations, ones, fixed columns); q = phi *
+// transform; e = target - output.
+struct PerceptronProducts {
+  // Room for the sums of a network with so many fixed columns.
+  PerceptronProducts(const PerceptronShape& shape, std::size_t fixed)
+      : dd(shape.hidden_weights(), shape.hidden_weights()),
+        dq(shape.hidden_weights(), shape.output_weights() + fixed),
+        de(shape.hidden_weights()),
+        qq(shape.output_weights() + fixed, shape.output_weights() + fixed),
+        qe(shape.output_weights() + fixed) {}
 
-// residual = target - phi * coefficients, with qt_residual = qᵀ residual; returns its sum of squares.
-// `residual` has one column.
-double column_residual(const ColumnBlock& phi, std::span<const double> coefficients, const Samples& samples,
-                       const ColumnBlock& q, ColumnBlock& residual, std::span<double> qt_residual);
+  Matrix dd;               // DᵀD
+  Matrix dq;               // Dᵀq
+  std::vector<double> de;  // Dᵀe
+  Matrix qq;               // qᵀq
+  std::vector<double> qe;  // qᵀe
+  double ee = 0.0;         // eᵀe
+};
 
-// With D the derivative of phi * v by the hidden weights (v held): cross = qᵀD.
-void hidden_jacobian_cross(const PerceptronShape& shape, std::span<const double> v, const ColumnBlock& phi,
-                           const ColumnBlock& q, const Samples& samples, Matrix& cross);
+// One pass over the samples. `weights`: those of the shape, then one for each fixed column. `fixed`: further
+// columns of padded_rows() values, zero in the padding; may have none. `transform`: upper triangular, as many
+// columns as phi. Without `derivatives` dd, dq and de are left alone.
+void perceptron_products(const PerceptronShape& shape, std::span<const double> weights,
+                         const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
+                         bool derivatives, PerceptronProducts& products);
 
-// normal = PᵀP and gradient = Pᵀe for P = D - q * cross.
-void projected_normal_equations(const PerceptronShape& shape, std::span<const double> v,
-                                const ColumnBlock& phi, const ColumnBlock& q, const Matrix& cross,
-                                const ColumnBlock& residual, const Samples& samples, Matrix& normal,
-                                std::span<double> gradient);
+// With s the second derivative of the output along `direction` (of all weights): d_second = Dᵀs, phi_second =
+// phiᵀs.
+void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,
+                          std::span<const double> direction, const Samples& samples, const ColumnBlock& fixed,
+                          std::span<double> d_second, std::span<double> phi_second);
 
-// Dᵀ residual and qᵀ residual.
-void hidden_jacobian_transposed(const PerceptronShape& shape, std::span<const double> v,
-                                const ColumnBlock& phi, const ColumnBlock& q, const ColumnBlock& residual,
-                                const Samples& samples, std::span<double> dt_residual,
-                                std::span<double> qt_residual);
+// The hyperbolic tangent of each value, as all kernels here take it.
+void tanh_of(std::span<const double> z, std::span<double> result);
 
 // The instruction set in use: "AVX3_ZEN4", "AVX2", …
 [[nodiscard]] const char* kernel_target();

@@ -19,6 +19,10 @@ Map view(Matrix& m) {
   return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
 }
 
+ConstMap cview(const Matrix& m) {
+  return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
+}
+
 // Cholesky factor of a Gram matrix, shifted when rounding has made it indefinite: the columns then span less
 // than they seem to, and the shift keeps the lost direction's coefficient bounded.
 Eigen::LLT<Eigen::MatrixXd> factorise(const Eigen::MatrixXd& gram) {
@@ -38,12 +42,17 @@ double condition_of(const Eigen::LLT<Eigen::MatrixXd>& factor) {
 
 // Columns this well conditioned lose no digit that matters to their own normal equations.
 constexpr double kWellConditioned = 30.0;
-constexpr int kPasses = 4;
-constexpr int kRefinements = 2;
+constexpr int kPasses = 8;
+// Relative errors of the sum of squares that are good enough to train by, and to search by.
+constexpr double kTraining = 1e-12;
+constexpr double kSearching = 1e-4;
 // An activation nearer than this share to the span of those before it is taken to lie in it: what is left of
 // it is rounding, and its coefficient would be noise of any size.
 constexpr double kIndependent = 1e-12;
-constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRounding = 16.0 * kEpsilon;
+
+const ColumnBlock kNoColumns;
 
 // Leaves a column out of the transform; in the Gram matrix it stands as one of its own.
 void leave_out(Eigen::Index c, Eigen::Ref<Eigen::MatrixXd> transform, Eigen::Ref<Eigen::MatrixXd> gram) {
@@ -86,19 +95,19 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& gram) {
 
 }  // namespace
 
+SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Samples& samples)
+    : SeparablePerceptron(shape, samples, kNoColumns) {}
+
 SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Samples& samples,
                                          const ColumnBlock& fixed)
     : shape_(shape),
       samples_(samples),
-      cross_(shape.output_weights() + fixed.columns(), shape.hidden_weights()) {
+      fixed_(fixed),
+      products_(shape, fixed.columns()),
+      cross_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
+      de_(shape.hidden_weights()) {
   const std::size_t n = shape.output_weights() + fixed.columns();
-  for (Solution* solution : {&current_, &trial_, &probe_}) {
-    solution->phi = ColumnBlock(n, samples.padded_rows());
-    for (std::size_t c = 0; c < fixed.columns(); ++c) {
-      std::copy_n(fixed.column(c), samples.padded_rows(), solution->phi.column(shape.output_weights() + c));
-    }
-    solution->q = ColumnBlock(n, samples.padded_rows());
-    solution->residual = ColumnBlock(1, samples.padded_rows());
+  for (Solution* solution : {&current_, &trial_}) {
     solution->transform = Matrix(n, n);
     solution->gram_inverse = Matrix(n, n);
     solution->output_weights.assign(n, 0.0);
@@ -106,48 +115,53 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
   }
 }
 
-double SeparablePerceptron::solve(std::span<const double> hidden_weights, Solution& solution) const {
-  const std::size_t n = columns();
-  const auto size = static_cast<Eigen::Index>(n);
-  solution.hidden_weights.assign(hidden_weights.begin(), hidden_weights.end());
-  hidden_activations(shape_, hidden_weights, samples_, solution.phi);
+void SeparablePerceptron::sum_products(const Solution& solution, bool derivatives) {
+  std::vector<double> weights = solution.hidden_weights;
+  weights.insert(weights.end(), solution.output_weights.begin(), solution.output_weights.end());
+  perceptron_products(shape_, weights, samples_, fixed_, solution.transform, derivatives, products_);
+  for (std::size_t c = 0; c < columns(); ++c) {
+    if (solution.transform(c, c) == 0.0) products_.qq(c, c) = 1.0;  // left out before
+  }
+}
 
-  // Cholesky QR, repeated until the columns are well conditioned (Yamamoto et al. 2015). Starting from the
-  // current point's transform, one pass is usually enough.
+double SeparablePerceptron::solve(std::span<const double> hidden_weights, double tolerance,
+                                  Solution& solution) {
+  const auto size = static_cast<Eigen::Index>(columns());
+  solution.hidden_weights.assign(hidden_weights.begin(), hidden_weights.end());
   solution.transform = current_.transform;
   restore_dropped(view(solution.transform));
-  Matrix gram(n, n);
-  std::vector<double> qty(n);
-  for (int pass = 1;; ++pass) {
-    transform_columns(solution.phi, solution.transform, samples_, solution.q, gram, qty);
-    if (!view(gram).allFinite()) return std::numeric_limits<double>::infinity();
-    for (Eigen::Index c = 0; c < size; ++c) {
-      if (view(solution.transform)(c, c) == 0.0) view(gram)(c, c) = 1.0;  // left out before
+  Eigen::Map<Eigen::VectorXd> c(solution.output_weights.data(), size);
+  double sum = 0.0;
+  // Each pass finds the error e of the weights so far, and the weights' correction from its normal equations
+  // on q: Newton's iteration for a linear problem, which ends when rounding no longer matters. Columns that
+  // are badly conditioned are first made orthogonal by Cholesky QR (Yamamoto et al. 2015). From a good guess
+  // and the current point's transform one pass is usually enough.
+  for (int pass = 1; pass <= kPasses; ++pass) {
+    sum_products(solution, false);
+    if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
+      return std::numeric_limits<double>::infinity();
     }
-    Eigen::LLT<Eigen::MatrixXd> factor = factorise(view(gram));
-    const bool well_conditioned = factor.info() == Eigen::Success && condition_of(factor) < kWellConditioned;
-    if (well_conditioned) view(solution.gram_inverse) = factor.solve(Eigen::MatrixXd::Identity(size, size));
-    if (well_conditioned) break;
-    if (pass == kPasses || factor.info() != Eigen::Success) {
-      view(solution.gram_inverse) = pseudo_inverse(view(gram));
-      break;
+    Eigen::LLT<Eigen::MatrixXd> factor = factorise(view(products_.qq));
+    const bool factored = factor.info() == Eigen::Success;
+    if (factored) {
+      view(solution.gram_inverse) = factor.solve(Eigen::MatrixXd::Identity(size, size));
+    } else {
+      view(solution.gram_inverse) = pseudo_inverse(view(products_.qq));
     }
-    factor = factorise_independent(view(solution.transform), view(gram),
+    const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
+    const Eigen::VectorXd step = view(solution.gram_inverse) * qe;
+    c += view(solution.transform) * step;
+    const double change = step.dot(cview(products_.qq) * step) - 2.0 * qe.dot(step);
+    sum = std::max(products_.ee + change, kEpsilon * kEpsilon * products_.ee);
+    const double condition = factored ? condition_of(factor) : std::numeric_limits<double>::infinity();
+    if (kEpsilon * condition * condition * products_.ee <= tolerance * sum) break;
+    if (condition < kWellConditioned || !factored || pass > kPasses / 2) continue;
+    factor = factorise_independent(view(solution.transform), view(products_.qq),
                                    std::sqrt(static_cast<double>(samples_.rows())));
     factor.matrixU().solveInPlace<Eigen::OnTheRight>(view(solution.transform));
-  }
-
-  // Iterative refinement: rounding in q leaves a residual that is not quite orthogonal to the activations,
-  // and what is left of it would drown the last digits of progress.
-  Eigen::Map<Eigen::VectorXd> c(solution.output_weights.data(), size);
-  const Eigen::Map<const Eigen::VectorXd> right(qty.data(), size);
-  const Eigen::MatrixXd solver = view(solution.transform) * view(solution.gram_inverse);
-  c = solver * right;
-  double sum = 0.0;
-  for (int refinement = 0; refinement <= kRefinements; ++refinement) {
-    if (refinement > 0) c += solver * right;
-    sum =
-        column_residual(solution.phi, solution.output_weights, samples_, solution.q, solution.residual, qty);
+    for (Eigen::Index k = 0; k < size; ++k) {
+      if (cview(solution.transform)(k, k) == 0.0) c(k) = 0.0;
+    }
   }
   // Output weights so large that rounding alone moves the output by as much as the residual would make any
   // residual, zero included, meaningless: what rounding may hide counts as error.
@@ -155,45 +169,83 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, Soluti
   return sum + rounding * rounding * static_cast<double>(samples_.rows());
 }
 
+void SeparablePerceptron::predict(std::span<const double> hidden_weights,
+                                  std::vector<double>& output_weights) const {
+  output_weights = current_.output_weights;
+  if (!linearised_) return;
+  const auto p = static_cast<Eigen::Index>(hidden_weights.size());
+  const Eigen::Map<const Eigen::VectorXd> to(hidden_weights.data(), p);
+  const Eigen::Map<const Eigen::VectorXd> from(current_.hidden_weights.data(), p);
+  Eigen::Map<Eigen::VectorXd>(output_weights.data(), cview(cross_).rows()) -=
+      cview(current_.transform) * (cview(cross_) * (to - from));
+}
+
 double SeparablePerceptron::evaluate(std::span<const double> hidden_weights) {
-  return solve(hidden_weights, trial_);
+  predict(hidden_weights, trial_.output_weights);
+  return solve(hidden_weights, kTraining, trial_);
+}
+
+double SeparablePerceptron::estimate(std::span<const double> hidden_weights) {
+  predict(hidden_weights, trial_.output_weights);
+  return solve(hidden_weights, kSearching, trial_);
 }
 
 void SeparablePerceptron::accept() {
   std::swap(current_, trial_);
   trial_.output_weights = current_.output_weights;
+  linearised_ = false;
 }
 
+// With P = D - q C, C = (qᵀq)⁻¹ qᵀD: PᵀP = DᵀD - DᵀqC and Pᵀe = Dᵀe - Cᵀqᵀe. The residual is target less
+// output, its Jacobian -P.
 void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
-  hidden_jacobian_cross(shape_, current_.output_weights, current_.phi, current_.q, samples_, cross_);
-  view(cross_) = view(current_.gram_inverse) * view(cross_);
-  projected_normal_equations(shape_, current_.output_weights, current_.phi, current_.q, cross_,
-                             current_.residual, samples_, normal, gradient);
-  // The kernel projects the derivative of the output; the residual is the target less the output.
-  for (double& g : gradient) g = -g;
+  sum_products(current_, true);
+  const auto p = static_cast<Eigen::Index>(shape_.hidden_weights());
+  const auto size = static_cast<Eigen::Index>(columns());
+  view(cross_).noalias() = view(current_.gram_inverse) * cview(products_.dq).transpose();
+  view(normal) = view(products_.dd);
+  view(normal).noalias() -= view(products_.dq) * view(cross_);
+  const Eigen::Map<const Eigen::VectorXd> de(products_.de.data(), p);
+  const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
+  Eigen::Map<Eigen::VectorXd>(gradient.data(), p) = view(cross_).transpose() * qe - de;
+  de_ = products_.de;
+  linearised_ = true;
 }
 
-bool SeparablePerceptron::curvature(std::span<const double> direction, const Matrix& normal,
-                                    std::span<const double> gradient, std::span<double> result) {
-  constexpr double kStep = 0.1;  // of the direction (Transtrum & Sethna 2012)
-  std::vector<double> ahead(current_.hidden_weights);
-  for (std::size_t k = 0; k < ahead.size(); ++k) ahead[k] += kStep * direction[k];
-  if (!std::isfinite(solve(ahead, probe_))) return false;
-
-  const auto p = static_cast<Eigen::Index>(ahead.size());
-  Eigen::VectorXd dt_residual(p);
-  std::vector<double> qt_residual(columns());
-  hidden_jacobian_transposed(shape_, current_.output_weights, current_.phi, current_.q, probe_.residual,
-                             samples_, {dt_residual.data(), ahead.size()}, qt_residual);
-  const Eigen::Map<const Eigen::VectorXd> qt(qt_residual.data(),
-                                             static_cast<Eigen::Index>(qt_residual.size()));
-  // Jᵀ r(x + h v) with J = -(D - q cross).
-  const Eigen::VectorXd ahead_gradient = -(dt_residual - view(cross_).transpose() * qt);
+// With s the second derivative of the output along x + t * direction, the output weights following: Jᵀr" =
+// Pᵀs. The output weights' own second derivative moves the output within q, which P is orthogonal to. Their
+// first one is -C direction (in q's coordinates), as the linearisation has it, and what the residual adds to
+// the normal equations when the activations move.
+bool SeparablePerceptron::curvature(std::span<const double> direction, const Matrix& /*normal*/,
+                                    std::span<const double> /*gradient*/, std::span<double> result) {
+  const auto p = static_cast<Eigen::Index>(direction.size());
+  const auto n = static_cast<Eigen::Index>(columns());
   const Eigen::Map<const Eigen::VectorXd> v(direction.data(), p);
-  const Eigen::Map<const Eigen::VectorXd> g(gradient.data(), p);
-  Eigen::Map<Eigen::VectorXd>(result.data(), p) =
-      (2.0 / kStep) * ((ahead_gradient - g) / kStep - ConstMap(normal.data(), p, p) * v);
-  return true;
+  if (!v.allFinite()) return false;
+  std::vector<double> along(direction.begin(), direction.end());
+  along.resize(direction.size() + columns());
+  Eigen::VectorXd activations_e =
+      Eigen::VectorXd::Zero(n);  // activations' derivatives along direction, times e
+  for (std::size_t j = 0; j < shape_.hidden; ++j) {
+    const double weight = current_.output_weights[j];
+    if (weight == 0.0) continue;
+    double sum = direction[shape_.hidden * shape_.inputs + j] * de_[shape_.hidden * shape_.inputs + j];
+    for (std::size_t k = j * shape_.inputs; k < (j + 1) * shape_.inputs; ++k) sum += direction[k] * de_[k];
+    activations_e(static_cast<Eigen::Index>(j)) = sum / weight;
+  }
+  const auto transform = cview(current_.transform);
+  Eigen::Map<Eigen::VectorXd>(along.data() + p, n) =
+      transform *
+      (cview(current_.gram_inverse) * (transform.transpose() * activations_e) - cview(cross_) * v);
+
+  std::vector<double> weights = current_.hidden_weights;
+  weights.insert(weights.end(), current_.output_weights.begin(), current_.output_weights.end());
+  std::vector<double> phi_second(columns());
+  perceptron_curvature(shape_, weights, along, samples_, fixed_, result, phi_second);
+  Eigen::Map<Eigen::VectorXd> second(result.data(), p);
+  second -= cview(cross_).transpose() *
+            (transform.transpose() * Eigen::Map<const Eigen::VectorXd>(phi_second.data(), n));
+  return second.allFinite();
 }
 
 }  // namespace proofmass

@@ -15,18 +15,21 @@ namespace proofmass {
 
 // Training of the hidden weights alone, the output layer solved by least squares inside: r = target projected
 // off the hidden activations (Golub & Pereyra 1973), its Jacobian by Kaufman's approximation (1975). x = the
-// hidden weights.
+// hidden weights. Each call passes once over the samples, seldom more often, and keeps nothing a sample.
 class SeparablePerceptron final : public SumOfSquares {
  public:
-  // Keeps a reference to the samples. `fixed` are further columns that the output is linear in, of
-  // padded_rows() values, zero in the padding; copied.
-  SeparablePerceptron(const PerceptronShape& shape, const Samples& samples, const ColumnBlock& fixed = {});
+  // Keeps references. `fixed` are further columns that the output is linear in, of padded_rows() values, zero
+  // in the padding.
+  SeparablePerceptron(const PerceptronShape& shape, const Samples& samples);
+  SeparablePerceptron(const PerceptronShape& shape, const Samples& samples, const ColumnBlock& fixed);
 
   [[nodiscard]] std::size_t parameters() const override { return shape_.hidden_weights(); }
   double evaluate(std::span<const double> hidden_weights) override;
+  // The same sum of squares to about four digits, for searches: in one pass where evaluate takes two. Leaves
+  // no trial point.
+  double estimate(std::span<const double> hidden_weights);
   void accept() override;
   void linearise(Matrix& normal, std::span<double> gradient) override;
-  // By a finite difference of r along the direction.
   bool curvature(std::span<const double> direction, const Matrix& normal, std::span<const double> gradient,
                  std::span<double> result) override;
 
@@ -38,21 +41,27 @@ class SeparablePerceptron final : public SumOfSquares {
   struct Solution {
     std::vector<double> hidden_weights;
     std::vector<double> output_weights;
-    ColumnBlock phi;       // activations and ones
-    ColumnBlock q;         // phi * transform: the same space, well conditioned
-    Matrix transform;      // upper triangular
-    Matrix gram_inverse;   // (qᵀq)⁻¹
-    ColumnBlock residual;  // target - phi * output_weights
+    Matrix transform;     // upper triangular: phi * transform = q spans what phi does, well conditioned
+    Matrix gram_inverse;  // (qᵀq)⁻¹
   };
 
   // Hidden units, bias and fixed columns.
   [[nodiscard]] std::size_t columns() const noexcept { return current_.output_weights.size(); }
-  double solve(std::span<const double> hidden_weights, Solution& solution) const;
+  // Solves for the output layer from the guess that the solution holds, until the relative error of the sum
+  // of squares is below the tolerance.
+  double solve(std::span<const double> hidden_weights, double tolerance, Solution& solution);
+  void sum_products(const Solution& solution, bool derivatives);
+  // Output weights that the linearisation at the current point expects elsewhere.
+  void predict(std::span<const double> hidden_weights, std::vector<double>& output_weights) const;
 
   PerceptronShape shape_;
   const Samples& samples_;
-  Solution current_, trial_, probe_;
-  Matrix cross_;
+  const ColumnBlock& fixed_;
+  Solution current_, trial_;
+  PerceptronProducts products_;
+  bool linearised_ = false;  // at the current point
+  Matrix cross_;             // (qᵀq)⁻¹ qᵀD there
+  std::vector<double> de_;   // Dᵀe there
 };
 
 }  // namespace proofmass

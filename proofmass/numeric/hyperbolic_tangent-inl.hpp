@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// tanh of a vector, compiled once for every instruction set: included through foreach_target, so without an
+// ordinary include guard. 10 multiplications (fused ones with AVX-512 8) and one division a value.
+#if defined(PROOFMASS_HYPERBOLIC_TANGENT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PROOFMASS_HYPERBOLIC_TANGENT_INL
+#undef PROOFMASS_HYPERBOLIC_TANGENT_INL
+#else
+#define PROOFMASS_HYPERBOLIC_TANGENT_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+#include "proofmass/numeric/vector_type-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace proofmass {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The fraction of a power of two, its steps, and 2^r - 1 for what a step leaves of the exponent.
+#if HWY_TARGET <= HWY_AVX3
+constexpr int kFractionBits = 4;  // 16 steps, held in two registers
+
+// 2^(i/16), with i taken off its exponent's lowest bits for the integer addition to come.
+HWY_INLINE V FractionPower(hn::Vec<hn::RebindToUnsigned<D>> bits) {
+  alignas(64) static constexpr std::uint64_t kPower[16] = {
+      0x3ff0000000000000, 0x3fefb5586cf9890f, 0x3fef72b83c7d517b, 0x3fef387a6e756238,
+      0x3fef06fe0a31b715, 0x3feedea64c123422, 0x3feebfdad5362a27, 0x3feeab07dd485429,
+      0x3feea09e667f3bcd, 0x3feea11473eb0187, 0x3feeace5422aa0db, 0x3feec49182a3f090,
+      0x3feee89f995ad3ad, 0x3fef199bdd85529c, 0x3fef5818dcfba487, 0x3fefa4afa2a490da};
+  const hn::RebindToUnsigned<D> du;
+  const V low = hn::BitCast(kD, hn::Load(du, kPower));
+  const V high = hn::BitCast(kD, hn::Load(du, kPower + 8));
+  return V{_mm512_permutex2var_pd(low.raw, bits.raw, high.raw)};
+}
+
+// What rounding took from those powers, relative to them.
+HWY_INLINE V FractionRemainder(hn::Vec<hn::RebindToUnsigned<D>> bits) {
+  alignas(64) static constexpr double kRemainder[16] = {0.0,
+                                                        8.189317638195515e-17,
+                                                        -2.7939114859515733e-17,
+                                                        7.826573258636076e-17,
+                                                        3.3484623336251524e-17,
+                                                        3.750854201303127e-17,
+                                                        1.9572585293112036e-17,
+                                                        5.68648095791174e-17,
+                                                        -6.835808657661922e-17,
+                                                        -2.3591094770850053e-17,
+                                                        5.1548301170786783e-17,
+                                                        1.5341410053603723e-17,
+                                                        4.875160526227062e-17,
+                                                        1.685487290628973e-17,
+                                                        1.790126907604513e-17,
+                                                        -5.545065618639427e-17};
+  const V low = hn::Load(kD, kRemainder);
+  const V high = hn::Load(kD, kRemainder + 8);
+  return V{_mm512_permutex2var_pd(low.raw, bits.raw, high.raw)};
+}
+#else
+constexpr int kFractionBits = 0;
+#endif
+
+// One step of a computation on several vectors: step after step for all of them, so that no step waits for
+// the one before.
+template <std::size_t kVectors, typename Step>
+HWY_INLINE void Each(const Step& step) {
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < kVectors; ++i) step(i);
+}
+
+// 2^r - 1 for |r| <= 2^-(kFractionBits + 1), in place: Chebyshev interpolation of (2^r - 1) / r, relative
+// error 2e-17.
+template <std::size_t kVectors>
+HWY_INLINE void PowerLessOne(V (&r)[kVectors]) {
+#if HWY_TARGET <= HWY_AVX3
+  constexpr double kCoefficients[] = {1.5252907746886827e-05, 0.0001540375624545771, 0.0013333558145579112,
+                                      0.009618129106525682,   0.05550410866482159,   0.24022650695910086,
+                                      0.6931471805599453};
+#else
+  constexpr double kCoefficients[] = {4.4549605981865186e-10, 7.072585949269223e-09, 1.0178062445845774e-07,
+                                      1.321544258792169e-06,  1.525273382983612e-05, 0.0001540353044173605,
+                                      0.0013333558146416936,  0.009618129107606888,  0.0555041086648216,
+                                      0.24022650695910097,    0.6931471805599453};
+#endif
+  V p[kVectors];
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { p[i] = hn::Set(kD, kCoefficients[0]); });
+  for (std::size_t k = 1; k < std::size(kCoefficients); ++k) {
+    const V coefficient = hn::Set(kD, kCoefficients[k]);
+    Each<kVectors>([&](std::size_t i) HWY_ATTR { p[i] = hn::MulAdd(p[i], r[i], coefficient); });
+  }
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Mul(p[i], r[i]); });
+}
+
+// tanh z = m / (m + 2) with m = exp(2z) - 1, in place, right to a few units in the last place for every z:
+// the last digits of training hang on it. exp(2z) = 2^u is a table's power times a polynomial's.
+template <std::size_t kVectors>
+HWY_INLINE void Tanh(V (&z)[kVectors]) {
+  const auto constant = [](double c) HWY_ATTR { return hn::Set(kD, c); };
+  const hn::RebindToUnsigned<D> du;
+  // Adding 1.5 * 2^52 leaves u, rounded to a step, in the low bits of the sum.
+  const V magic = constant(6755399441055744.0 / (1 << kFractionBits));
+  V r[kVectors], shifted[kVectors], scale[kVectors];
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Mul(z[i], constant(2.8853900817779268)); });
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Max(constant(-60.0), r[i]); });
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Min(constant(60.0), r[i]); });
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { shifted[i] = hn::Add(r[i], magic); });
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Sub(r[i], hn::Sub(shifted[i], magic)); });
+  PowerLessOne(r);
+  Each<kVectors>([&](std::size_t i) HWY_ATTR {
+    const auto bits = hn::BitCast(du, shifted[i]);
+#if HWY_TARGET <= HWY_AVX3
+    r[i] = hn::Add(r[i], FractionRemainder(bits));
+    const auto fraction = hn::BitCast(du, FractionPower(bits));
+#else
+    const auto fraction = hn::BitCast(du, constant(1.0));
+#endif
+    scale[i] = hn::BitCast(kD, hn::Add(fraction, hn::ShiftLeft<52 - kFractionBits>(bits)));
+  });
+  Each<kVectors>([&](std::size_t i)
+                     HWY_ATTR { r[i] = hn::MulAdd(scale[i], r[i], hn::Sub(scale[i], constant(1.0))); });
+  Each<kVectors>([&](std::size_t i) HWY_ATTR {
+    const V tanh = hn::Div(r[i], hn::Add(r[i], constant(2.0)));
+    // Min and Max pass on a second operand that is not a number, but not where Highway emulates them.
+    constexpr bool kEmulated = HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128;
+    z[i] = kEmulated ? hn::IfThenElse(hn::IsNaN(z[i]), z[i], tanh) : tanh;
+  });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace proofmass
+HWY_AFTER_NAMESPACE();
+
+#endif  // PROOFMASS_HYPERBOLIC_TANGENT_INL

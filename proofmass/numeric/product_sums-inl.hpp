@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums of products of columns in register tiles, compiled once for every instruction set: included through
+// foreach_target, so without an ordinary include guard.
+#if defined(PROOFMASS_PRODUCT_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef PROOFMASS_PRODUCT_SUMS_INL
+#undef PROOFMASS_PRODUCT_SUMS_INL
+#else
+#define PROOFMASS_PRODUCT_SUMS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "proofmass/numeric/vector_type-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace proofmass {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Rows of a block, and how far apart its columns stand: all of them stay in the second level of cache, those
+// of a tile in the first, where a stride that is a power of two would send them all to a few sets.
+constexpr std::size_t kBlockRows = 256;
+constexpr std::size_t kStride = kBlockRows + 8;
+
+// Keeps a value that is used twice from being loaded twice, as GCC likes to do: loads are as scarce as
+// products.
+HWY_INLINE V InRegister(V value) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+  asm("" : "+v"(value.raw));
+#endif
+  return value;
+}
+
+// acc[i][j] += sum of a_i b_i c_j, lane by lane, (a_i, b_i) the left columns and c_j the right ones: kRows x
+// kColumns sums in registers, kRows + kRows * kColumns multiplications for every vector of rows.
+using Factors = std::array<const double*, 2>;
+
+template <std::size_t kRows, std::size_t kColumns>
+HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::size_t rows,
+                              double* HWY_RESTRICT acc) {
+  V sums[kRows][kColumns];
+#pragma GCC unroll 20
+  for (std::size_t i = 0; i < kRows * kColumns; ++i) {
+    sums[i / kColumns][i % kColumns] = hn::LoadU(kD, acc + i * kLanes);
+  }
+  for (std::size_t row = 0; row < rows; row += kLanes) {
+    V product[kRows];
+#pragma GCC unroll 2
+    for (std::size_t i = 0; i < kRows; ++i) {
+      product[i] = hn::Mul(hn::LoadU(kD, left[i][0] + row), hn::LoadU(kD, left[i][1] + row));
+    }
+#pragma GCC unroll 10
+    for (std::size_t j = 0; j < kColumns; ++j) {
+      const V value = InRegister(hn::LoadU(kD, right + j * kStride + row));
+#pragma GCC unroll 2
+      for (std::size_t i = 0; i < kRows; ++i) sums[i][j] = hn::MulAdd(product[i], value, sums[i][j]);
+    }
+  }
+#pragma GCC unroll 20
+  for (std::size_t i = 0; i < kRows * kColumns; ++i) {
+    hn::StoreU(sums[i / kColumns][i % kColumns], kD, acc + i * kLanes);
+  }
+}
+
+// The tile for any number of columns up to kColumns.
+template <std::size_t kRows, std::size_t kColumns>
+HWY_INLINE void ProductTiles(const Factors* left, const double* right, std::size_t columns, std::size_t rows,
+                             double* acc) {
+  if (columns == kColumns) return ProductTile<kRows, kColumns>(left, right, rows, acc);
+  if constexpr (kColumns > 1) ProductTiles<kRows, kColumns - 1>(left, right, columns, rows, acc);
+}
+
+// Sums over all samples of products of pairs of columns (left) with single columns (right, one after the
+// other in a block), block after block. With `upper` only elements of the upper triangle are computed, and
+// those beside it that a tile holds.
+class ProductSums {
+ public:
+  ProductSums(std::size_t rows, std::size_t columns, bool upper)
+      : left(rows), columns_(columns), upper_(upper) {}
+
+  std::vector<Factors> left;
+  const double* right = nullptr;
+
+  // In values; whole cache lines.
+  [[nodiscard]] std::size_t storage() const { return (left.size() * columns_ * (kLanes + 1) + 7) / 8 * 8; }
+  // Storage for the sums, all zero.
+  void start(double* sums) {
+    sums_ = sums;
+    totals_ = sums + left.size() * columns_ * kLanes;
+  }
+
+  // The columns set before hold `rows` rows, at most kBlockRows.
+  void add(std::size_t rows) {
+    for_each_tile([this, rows](std::size_t i, std::size_t tall, std::size_t j, std::size_t wide, double* acc)
+                      HWY_ATTR {
+                        if (tall == 2) {
+                          ProductTiles<2, kMostColumns>(&left[i], right + j * kStride, wide, rows, acc);
+                        } else {
+                          ProductTiles<1, kMostColumns>(&left[i], right + j * kStride, wide, rows, acc);
+                        }
+                      });
+  }
+
+  // Sums up the lanes: after the last block, before any total is asked for.
+  void finish() {
+    for_each_tile(
+        [this](std::size_t i, std::size_t tall, std::size_t j, std::size_t wide, const double* acc) HWY_ATTR {
+          for (std::size_t r = 0; r < tall; ++r) {
+            for (std::size_t c = 0; c < wide; ++c, acc += kLanes) {
+              totals_[(i + r) * columns_ + j + c] = hn::GetLane(hn::SumOfLanes(kD, hn::LoadU(kD, acc)));
+            }
+          }
+        });
+  }
+
+  // The sum for element (i, j).
+  [[nodiscard]] double total(std::size_t i, std::size_t j) const { return totals_[i * columns_ + j]; }
+
+ private:
+  // Sixteen registers hold 2 x 5 sums with what feeds them, thirty-two 2 x 10.
+  static constexpr std::size_t kMostColumns = HWY_TARGET <= HWY_AVX3 ? 10 : 5;
+
+  // Calls body with the first row and the rows of each tile, its first column and columns, and its sums.
+  template <typename Body>
+  HWY_INLINE void for_each_tile(const Body& body) {
+    for (std::size_t i = 0; i < left.size(); i += 2) {
+      const std::size_t tall = std::min<std::size_t>(2, left.size() - i);
+      for (std::size_t j = upper_ ? i : 0; j < columns_; j += kMostColumns) {
+        const std::size_t wide = std::min(kMostColumns, columns_ - j);
+        body(i, tall, j, wide, sums_ + (i * columns_ + tall * j) * kLanes);
+      }
+    }
+  }
+
+  std::size_t columns_;
+  bool upper_;
+  double* sums_ = nullptr;    // of each lane
+  double* totals_ = nullptr;  // of all lanes
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace proofmass
+HWY_AFTER_NAMESPACE();
+
+#endif  // PROOFMASS_PRODUCT_SUMS_INL
