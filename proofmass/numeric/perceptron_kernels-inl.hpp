@@ -191,6 +191,56 @@ void TransformBlock(const double* const* phi, const Matrix& transform, std::size
   }
 }
 
+// kColumns columns of P = D - q * projection, number c[0] … of all: those of inputs[0] … of one unit, null
+// for its bias, for kVectors vectors of rows.
+template <std::size_t kColumns, std::size_t kVectors>
+HWY_INLINE void ProjectRows(const double* slope, const double* const* inputs, const double* q,
+                            const Matrix& projection, const std::size_t* c, std::size_t at, double* p) {
+  V sums[kColumns][kVectors];
+  Each<kColumns>([&](std::size_t k) HWY_ATTR {
+    Each<kVectors>([&](std::size_t i) HWY_ATTR {
+      const V s = hn::LoadU(kD, slope + at + i * kLanes);
+      sums[k][i] = inputs[k] == nullptr ? s : hn::Mul(s, hn::LoadU(kD, inputs[k] + at + i * kLanes));
+    });
+  });
+  for (std::size_t r = 0; r < projection.rows(); ++r, q += kStride) {
+    V values[kVectors];
+    Each<kVectors>([&](std::size_t i)
+                       HWY_ATTR { values[i] = InRegister(hn::LoadU(kD, q + at + i * kLanes)); });
+    Each<kColumns>([&](std::size_t k) HWY_ATTR {
+      const V factor = hn::Set(kD, projection(r, c[k]));
+      Each<kVectors>([&](std::size_t i)
+                         HWY_ATTR { sums[k][i] = hn::NegMulAdd(factor, values[i], sums[k][i]); });
+    });
+  }
+  Each<kColumns>([&](std::size_t k) HWY_ATTR {
+    Each<kVectors>([&](std::size_t i)
+                       HWY_ATTR { hn::StoreU(sums[k][i], kD, p + c[k] * kStride + at + i * kLanes); });
+  });
+}
+
+// P = D - q * projection, columns in the order of the hidden weights.
+void ProjectBlock(const PerceptronShape& shape, const Samples& samples, std::size_t first, std::size_t rows,
+                  const double* slopes, const double* q, const Matrix& projection, double* p) {
+  std::vector<const double*> inputs(shape.inputs + 1, nullptr);
+  for (std::size_t k = 0; k < shape.inputs; ++k) inputs[k] = samples.input_data(k) + first;
+  std::vector<std::size_t> columns(shape.inputs + 1);
+  for (std::size_t j = 0; j < shape.hidden; ++j, slopes += kStride) {
+    for (std::size_t k = 0; k < shape.inputs; ++k) columns[k] = j * shape.inputs + k;
+    columns[shape.inputs] = shape.hidden * shape.inputs + j;
+    std::size_t k = 0;
+    for (; k + 2 <= columns.size(); k += 2) {
+      ForRows(rows, [&](std::size_t at, auto together) HWY_ATTR {
+        ProjectRows<2, decltype(together)::value>(slopes, &inputs[k], q, projection, &columns[k], at, p);
+      });
+    }
+    if (k == columns.size()) continue;
+    ForRows(rows, [&](std::size_t at, auto together) HWY_ATTR {
+      ProjectRows<1, decltype(together)::value>(slopes, &inputs[k], q, projection, &columns[k], at, p);
+    });
+  }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace proofmass
 HWY_AFTER_NAMESPACE();

@@ -5,7 +5,8 @@
 #define HWY_TARGET_INCLUDE "proofmass/numeric/perceptron_kernels.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target includes this file once for every instruction set; the next header must come after it.
-#include "proofmass/numeric/perceptron_products-inl.hpp"
+#include "proofmass/numeric/perceptron_normal_sums-inl.hpp"
+#include "proofmass/numeric/perceptron_projection-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace proofmass {
@@ -78,88 +79,13 @@ void Activations(const PerceptronShape& shape, const double* weights, const Samp
   }
 }
 
-void SumProducts(const PerceptronShape& shape, const double* weights, const Samples& samples,
-                 const ColumnBlock& fixed, const Matrix* transform, bool derivatives,
-                 PerceptronProducts& products) {
-  const Network network{shape, weights, fixed};
-  Products pass(network, samples, transform, derivatives);
-  pass.run();
-  pass.store(products);
-}
-
-// Second derivative of the output along `direction`, for the block of rows from `first` on: a unit with
-// argument z and dz along the direction gives 2 dz (dv (1 - h²) - slope h dz).
-template <std::size_t kInputs>
-void SecondDerivative(const Network& network, const double* direction, const Samples& samples,
-                      std::size_t first, std::size_t rows, const HiddenColumns& columns, double* second) {
-  const double* const dv = direction + network.shape.hidden_weights();
-  ForRows(rows, [&](std::size_t at, auto together) HWY_ATTR {
-    constexpr std::size_t kVectors = decltype(together)::value;
-    V sum[kVectors];
-    Each<kVectors>([&](std::size_t i) HWY_ATTR { sum[i] = hn::Zero(kD); });
-    for (std::size_t j = 0; j < network.shape.hidden; ++j) {
-      V dz[kVectors];
-      HiddenArgument<kInputs>(network.shape, direction, j, samples, first + at, dz);
-      Each<kVectors>([&](std::size_t i) HWY_ATTR {
-        const V h = hn::LoadU(kD, columns.activation + j * kStride + at + i * kLanes);
-        const V slope = hn::LoadU(kD, columns.slope + j * kStride + at + i * kLanes);
-        const V rate = hn::Mul(hn::Set(kD, dv[j]), hn::NegMulAdd(h, h, hn::Set(kD, 1.0)));
-        sum[i] = hn::MulAdd(dz[i], hn::NegMulAdd(hn::Mul(slope, h), dz[i], rate), sum[i]);
-      });
-    }
-    Each<kVectors>([&](std::size_t i)
-                       HWY_ATTR { hn::StoreU(hn::Add(sum[i], sum[i]), kD, second + at + i * kLanes); });
-  });
-  ClearPadding(second, samples.rows() - first, rows);
-}
-
-// Columns of a block: activations, ones, fixed columns; slopes; error; second derivative; inputs and one.
-void Curvature(const PerceptronShape& shape, const double* weights, const double* direction,
-               const Samples& samples, const ColumnBlock& fixed, double* d_second, double* phi_second) {
-  const Network network{shape, weights, fixed};
-  const std::size_t hidden = shape.hidden;
-  const std::size_t n = shape.output_weights() + fixed.columns();
-  ProductSums by_weight(hidden, shape.inputs + 1, false), by_output(1, n, false);
-  const std::size_t sums = by_weight.storage() + by_output.storage();
-  double* const storage = kernel_scratch(sums + (n + hidden + shape.inputs + 3) * kStride);
-  std::fill_n(storage, sums, 0.0);
-  by_weight.start(storage);
-  by_output.start(storage + by_weight.storage());
-  double* const phi = storage + sums;
-  double* const slope = phi + n * kStride;
-  double* const error = slope + hidden * kStride;
-  double* const second = error + kStride;
-  double* const inputs = second + kStride;
-  for (std::size_t j = 0; j < hidden; ++j) by_weight.left[j] = {second, slope + j * kStride};
-  by_weight.right = inputs;
-  by_output.right = phi;
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t rows = std::min(kBlockRows, samples.padded_rows() - first);
-    const double* const ones = samples.mask_data() + first;
-    const HiddenColumns columns{.activation = phi, .slope = slope, .error = error};
-    HiddenBlock(network, samples, first, rows, columns);
-    WithInputs(shape.inputs, [&](auto count) HWY_ATTR {
-      SecondDerivative<decltype(count)::value>(network, direction, samples, first, rows, columns, second);
-    });
-    std::copy_n(ones, rows, phi + hidden * kStride);
-    for (std::size_t c = 0; c < fixed.columns(); ++c) {
-      std::copy_n(fixed.column(c) + first, rows, phi + (hidden + 1 + c) * kStride);
-    }
-    for (std::size_t k = 0; k < shape.inputs; ++k) {
-      std::copy_n(samples.input_data(k) + first, rows, inputs + k * kStride);
-    }
-    std::copy_n(ones, rows, inputs + shape.inputs * kStride);
-    by_output.left[0] = {second, ones};
-    by_weight.add(rows);
-    by_output.add(rows);
-  }
-  by_weight.finish();
-  by_output.finish();
-  for (std::size_t j = 0; j < hidden; ++j) {
-    for (std::size_t k = 0; k < shape.inputs; ++k) d_second[j * shape.inputs + k] = by_weight.total(j, k);
-    d_second[hidden * shape.inputs + j] = by_weight.total(j, shape.inputs);
-  }
-  for (std::size_t c = 0; c < n; ++c) phi_second[c] = by_output.total(0, c);
+double NormalEquations(const PerceptronShape& shape, const double* weights, const Samples& samples,
+                       Matrix& jtj, double* jte) {
+  const ColumnBlock none;
+  const Network network{shape, weights, none};
+  NormalSums sums(network, samples);
+  sums.run();
+  return sums.store(jtj, jte);
 }
 
 const char* Target() { return hwy::TargetName(HWY_TARGET); }
@@ -174,6 +100,7 @@ namespace proofmass {
 HWY_EXPORT(TanhOf);
 HWY_EXPORT(Forward);
 HWY_EXPORT(Activations);
+HWY_EXPORT(NormalEquations);
 HWY_EXPORT(SumProducts);
 HWY_EXPORT(Curvature);
 HWY_EXPORT(Target);
@@ -197,18 +124,7 @@ double perceptron_sse(const PerceptronShape& shape, std::span<const double> weig
 
 double perceptron_normal_equations(const PerceptronShape& shape, std::span<const double> weights,
                                    const Samples& samples, Matrix& jtj, std::span<double> jte) {
-  const std::size_t p = shape.hidden_weights();
-  const std::size_t n = shape.output_weights();
-  PerceptronProducts products(shape, 0);
-  HWY_DYNAMIC_DISPATCH(SumProducts)(shape, weights.data(), samples, {}, nullptr, true, products);
-  for (std::size_t c = 0; c < p; ++c) std::copy_n(products.dd.column(c).begin(), p, jtj.column(c).begin());
-  for (std::size_t c = 0; c < n; ++c) {
-    for (std::size_t r = 0; r < p; ++r) jtj(r, p + c) = jtj(p + c, r) = products.dq(r, c);
-    std::copy_n(products.qq.column(c).begin(), n, jtj.column(p + c).begin() + static_cast<std::ptrdiff_t>(p));
-  }
-  std::copy(products.de.begin(), products.de.end(), jte.begin());
-  std::copy(products.qe.begin(), products.qe.end(), jte.begin() + static_cast<std::ptrdiff_t>(p));
-  return products.ee;
+  return HWY_DYNAMIC_DISPATCH(NormalEquations)(shape, weights.data(), samples, jtj, jte.data());
 }
 
 void hidden_activations(const PerceptronShape& shape, std::span<const double> hidden_weights,
@@ -218,16 +134,16 @@ void hidden_activations(const PerceptronShape& shape, std::span<const double> hi
 
 void perceptron_products(const PerceptronShape& shape, std::span<const double> weights,
                          const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
-                         bool derivatives, PerceptronProducts& products) {
+                         const Matrix& projection, PerceptronProducts& products) {
   HWY_DYNAMIC_DISPATCH(SumProducts)
-  (shape, weights.data(), samples, fixed, &transform, derivatives, products);
+  (shape, weights.data(), samples, fixed, transform, projection, products);
 }
 
 void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,
                           std::span<const double> direction, const Samples& samples, const ColumnBlock& fixed,
-                          std::span<double> d_second, std::span<double> phi_second) {
+                          const Matrix& transform, const Matrix& projection, std::span<double> p_second) {
   HWY_DYNAMIC_DISPATCH(Curvature)
-  (shape, weights.data(), direction.data(), samples, fixed, d_second.data(), phi_second.data());
+  (shape, weights.data(), direction.data(), samples, fixed, transform, projection, p_second.data());
 }
 
 void tanh_of(std::span<const double> z, std::span<double> result) {

@@ -48,21 +48,21 @@ double perceptron_normal_equations(const PerceptronShape& shape, std::span<const
 void hidden_activations(const PerceptronShape& shape, std::span<const double> hidden_weights,
                         const Samples& samples, ColumnBlock& phi);
 
-// What a network and its samples come to, summed over the samples. D: derivatives of the output by the hidden
-// weights; phi: the columns that the output is linear in (hidden activations, ones, fixed columns); q = phi *
-// transform; e = target - output.
+// What a network and its samples come to, summed over the samples. phi: the columns that the output is linear
+// in (hidden activations, ones, fixed columns); q = phi * transform; P = D - q * projection, D the
+// derivatives of the output by the hidden weights; e = target - output.
 struct PerceptronProducts {
   // Room for the sums of a network with so many fixed columns.
   PerceptronProducts(const PerceptronShape& shape, std::size_t fixed)
-      : dd(shape.hidden_weights(), shape.hidden_weights()),
-        dq(shape.hidden_weights(), shape.output_weights() + fixed),
-        de(shape.hidden_weights()),
+      : pp(shape.hidden_weights(), shape.hidden_weights()),
+        pq(shape.hidden_weights(), shape.output_weights() + fixed),
+        pe(shape.hidden_weights()),
         qq(shape.output_weights() + fixed, shape.output_weights() + fixed),
         qe(shape.output_weights() + fixed) {}
 
-  Matrix dd;               // DᵀD
-  Matrix dq;               // Dᵀq
-  std::vector<double> de;  // Dᵀe
+  Matrix pp;               // PᵀP
+  Matrix pq;               // Pᵀq
+  std::vector<double> pe;  // Pᵀe
   Matrix qq;               // qᵀq
   std::vector<double> qe;  // qᵀe
   double ee = 0.0;         // eᵀe
@@ -70,16 +70,16 @@ struct PerceptronProducts {
 
 // One pass over the samples. `weights`: those of the shape, then one for each fixed column. `fixed`: further
 // columns of padded_rows() values, zero in the padding; may have none. `transform`: upper triangular, as many
-// columns as phi. Without `derivatives` dd, dq and de are left alone.
+// columns as phi. `projection`: columns of q by hidden weights; where it is empty pp, pq and pe are left
+// alone.
 void perceptron_products(const PerceptronShape& shape, std::span<const double> weights,
                          const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
-                         bool derivatives, PerceptronProducts& products);
+                         const Matrix& projection, PerceptronProducts& products);
 
-// With s the second derivative of the output along `direction` (of all weights): d_second = Dᵀs, phi_second =
-// phiᵀs.
+// With s the second derivative of the output along `direction` (of all weights): p_second = Pᵀs.
 void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,
                           std::span<const double> direction, const Samples& samples, const ColumnBlock& fixed,
-                          std::span<double> d_second, std::span<double> phi_second);
+                          const Matrix& transform, const Matrix& projection, std::span<double> p_second);
 
 // The hyperbolic tangent of each value, as all kernels here take it.
 void tanh_of(std::span<const double> z, std::span<double> result);

@@ -40,7 +40,7 @@ HWY_INLINE V InRegister(V value) {
 // kColumns sums in registers, kRows + kRows * kColumns multiplications for every vector of rows.
 using Factors = std::array<const double*, 2>;
 
-template <std::size_t kRows, std::size_t kColumns>
+template <bool kPairs, std::size_t kRows, std::size_t kColumns>
 HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::size_t rows,
                               double* HWY_RESTRICT acc) {
   V sums[kRows][kColumns];
@@ -52,7 +52,8 @@ HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::siz
     V product[kRows];
 #pragma GCC unroll 2
     for (std::size_t i = 0; i < kRows; ++i) {
-      product[i] = hn::Mul(hn::LoadU(kD, left[i][0] + row), hn::LoadU(kD, left[i][1] + row));
+      product[i] = hn::LoadU(kD, left[i][0] + row);
+      if constexpr (kPairs) product[i] = hn::Mul(product[i], hn::LoadU(kD, left[i][1] + row));
     }
 #pragma GCC unroll 10
     for (std::size_t j = 0; j < kColumns; ++j) {
@@ -68,16 +69,16 @@ HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::siz
 }
 
 // The tile for any number of columns up to kColumns.
-template <std::size_t kRows, std::size_t kColumns>
+template <bool kPairs, std::size_t kRows, std::size_t kColumns>
 HWY_INLINE void ProductTiles(const Factors* left, const double* right, std::size_t columns, std::size_t rows,
                              double* acc) {
-  if (columns == kColumns) return ProductTile<kRows, kColumns>(left, right, rows, acc);
-  if constexpr (kColumns > 1) ProductTiles<kRows, kColumns - 1>(left, right, columns, rows, acc);
+  if (columns == kColumns) return ProductTile<kPairs, kRows, kColumns>(left, right, rows, acc);
+  if constexpr (kColumns > 1) ProductTiles<kPairs, kRows, kColumns - 1>(left, right, columns, rows, acc);
 }
 
 // Sums over all samples of products of pairs of columns (left) with single columns (right, one after the
-// other in a block), block after block. With `upper` only elements of the upper triangle are computed, and
-// those beside it that a tile holds.
+// other in a block), block after block. Where the first pair has no second column, no pair has. With `upper`
+// only elements of the upper triangle are computed, and those beside it that a tile holds.
 class ProductSums {
  public:
   ProductSums(std::size_t rows, std::size_t columns, bool upper)
@@ -96,14 +97,8 @@ class ProductSums {
 
   // The columns set before hold `rows` rows, at most kBlockRows.
   void add(std::size_t rows) {
-    for_each_tile([this, rows](std::size_t i, std::size_t tall, std::size_t j, std::size_t wide, double* acc)
-                      HWY_ATTR {
-                        if (tall == 2) {
-                          ProductTiles<2, kMostColumns>(&left[i], right + j * kStride, wide, rows, acc);
-                        } else {
-                          ProductTiles<1, kMostColumns>(&left[i], right + j * kStride, wide, rows, acc);
-                        }
-                      });
+    if (left.empty()) return;
+    left[0][1] == nullptr ? add_tiles<false>(rows) : add_tiles<true>(rows);
   }
 
   // Sums up the lanes: after the last block, before any total is asked for.
@@ -124,6 +119,18 @@ class ProductSums {
  private:
   // Sixteen registers hold 2 x 5 sums with what feeds them, thirty-two 2 x 10.
   static constexpr std::size_t kMostColumns = HWY_TARGET <= HWY_AVX3 ? 10 : 5;
+
+  template <bool kPairs>
+  void add_tiles(std::size_t rows) {
+    for_each_tile(
+        [this, rows](std::size_t i, std::size_t tall, std::size_t j, std::size_t wide, double* acc) HWY_ATTR {
+          if (tall == 2) {
+            ProductTiles<kPairs, 2, kMostColumns>(&left[i], right + j * kStride, wide, rows, acc);
+          } else {
+            ProductTiles<kPairs, 1, kMostColumns>(&left[i], right + j * kStride, wide, rows, acc);
+          }
+        });
+  }
 
   // Calls body with the first row and the rows of each tile, its first column and columns, and its sums.
   template <typename Body>

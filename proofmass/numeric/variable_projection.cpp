@@ -52,7 +52,12 @@ constexpr double kIndependent = 1e-12;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 16.0 * kEpsilon;
 
+// Columns of D may be this many times as long as their projections off q before rounding shows in those.
+constexpr double kCancellation = 1e4;
+constexpr int kProjections = 3;
+
 const ColumnBlock kNoColumns;
+const Matrix kNoProjection;
 
 // Leaves a column out of the transform; in the Gram matrix it stands as one of its own.
 void leave_out(Eigen::Index c, Eigen::Ref<Eigen::MatrixXd> transform, Eigen::Ref<Eigen::MatrixXd> gram) {
@@ -104,7 +109,8 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
       samples_(samples),
       fixed_(fixed),
       products_(shape, fixed.columns()),
-      cross_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
+      projection_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
+      transform_(shape.output_weights() + fixed.columns(), shape.output_weights() + fixed.columns()),
       de_(shape.hidden_weights()) {
   const std::size_t n = shape.output_weights() + fixed.columns();
   for (Solution* solution : {&current_, &trial_}) {
@@ -115,10 +121,10 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
   }
 }
 
-void SeparablePerceptron::sum_products(const Solution& solution, bool derivatives) {
+void SeparablePerceptron::sum_products(const Solution& solution, const Matrix& projection) {
   std::vector<double> weights = solution.hidden_weights;
   weights.insert(weights.end(), solution.output_weights.begin(), solution.output_weights.end());
-  perceptron_products(shape_, weights, samples_, fixed_, solution.transform, derivatives, products_);
+  perceptron_products(shape_, weights, samples_, fixed_, solution.transform, projection, products_);
   for (std::size_t c = 0; c < columns(); ++c) {
     if (solution.transform(c, c) == 0.0) products_.qq(c, c) = 1.0;  // left out before
   }
@@ -137,7 +143,7 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
   // are badly conditioned are first made orthogonal by Cholesky QR (Yamamoto et al. 2015). From a good guess
   // and the current point's transform one pass is usually enough.
   for (int pass = 1; pass <= kPasses; ++pass) {
-    sum_products(solution, false);
+    sum_products(solution, kNoProjection);
     if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
       return std::numeric_limits<double>::infinity();
     }
@@ -176,8 +182,8 @@ void SeparablePerceptron::predict(std::span<const double> hidden_weights,
   const auto p = static_cast<Eigen::Index>(hidden_weights.size());
   const Eigen::Map<const Eigen::VectorXd> to(hidden_weights.data(), p);
   const Eigen::Map<const Eigen::VectorXd> from(current_.hidden_weights.data(), p);
-  Eigen::Map<Eigen::VectorXd>(output_weights.data(), cview(cross_).rows()) -=
-      cview(current_.transform) * (cview(cross_) * (to - from));
+  Eigen::Map<Eigen::VectorXd>(output_weights.data(), cview(projection_).rows()) -=
+      cview(transform_) * (cview(projection_) * (to - from));
 }
 
 double SeparablePerceptron::evaluate(std::span<const double> hidden_weights) {
@@ -196,19 +202,37 @@ void SeparablePerceptron::accept() {
   linearised_ = false;
 }
 
-// With P = D - q C, C = (qᵀq)⁻¹ qᵀD: PᵀP = DᵀD - DᵀqC and Pᵀe = Dᵀe - Cᵀqᵀe. The residual is target less
-// output, its Jacobian -P.
+// With P = D - q C, C = (qᵀq)⁻¹ qᵀD, the residual's Jacobian is -P. What is left of most columns of D is a
+// small part of them, and PᵀP from DᵀD and Dᵀq would be rounding. So the pass subtracts what the last
+// linearisation tells of C, which leaves little to be taken away afterwards, or passes again.
 void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
-  sum_products(current_, true);
   const auto p = static_cast<Eigen::Index>(shape_.hidden_weights());
   const auto size = static_cast<Eigen::Index>(columns());
-  view(cross_).noalias() = view(current_.gram_inverse) * cview(products_.dq).transpose();
-  view(normal) = view(products_.dd);
-  view(normal).noalias() -= view(products_.dq) * view(cross_);
-  const Eigen::Map<const Eigen::VectorXd> de(products_.de.data(), p);
+  auto c = view(projection_);
+  if (cview(current_.transform).diagonal().cwiseAbs().minCoeff() > 0.0) {
+    c = cview(current_.transform).triangularView<Eigen::Upper>().solve(cview(transform_) * c);
+  } else {
+    c.setZero();
+  }
+  transform_ = current_.transform;
+  for (int pass = 1; pass <= kProjections; ++pass) {
+    sum_products(current_, projection_);
+    const Eigen::MatrixXd correction = cview(current_.gram_inverse) * cview(products_.pq).transpose();
+    c += correction;
+    const Eigen::VectorXd before = cview(products_.pp).diagonal();
+    view(normal) = cview(products_.pp);
+    view(normal).noalias() -= cview(products_.pq) * correction;
+    const Eigen::Map<const Eigen::VectorXd> pe(products_.pe.data(), p);
+    const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
+    Eigen::Map<Eigen::VectorXd>(gradient.data(), p) = correction.transpose() * qe - pe;
+    const auto after = view(normal).diagonal();
+    if ((before.array() <= kCancellation * kCancellation * after.array()).all()) break;
+  }
+  // Dᵀe = Pᵀe + Cᵀqᵀe with the P and C of the pass.
   const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
-  Eigen::Map<Eigen::VectorXd>(gradient.data(), p) = view(cross_).transpose() * qe - de;
-  de_ = products_.de;
+  de_.resize(shape_.hidden_weights());
+  Eigen::Map<Eigen::VectorXd>(de_.data(), p) =
+      c.transpose() * qe - Eigen::Map<const Eigen::VectorXd>(gradient.data(), p);
   linearised_ = true;
 }
 
@@ -222,30 +246,24 @@ bool SeparablePerceptron::curvature(std::span<const double> direction, const Mat
   const auto n = static_cast<Eigen::Index>(columns());
   const Eigen::Map<const Eigen::VectorXd> v(direction.data(), p);
   if (!v.allFinite()) return false;
-  std::vector<double> along(direction.begin(), direction.end());
-  along.resize(direction.size() + columns());
-  Eigen::VectorXd activations_e =
-      Eigen::VectorXd::Zero(n);  // activations' derivatives along direction, times e
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(n);  // the activations' derivatives along direction, times e
   for (std::size_t j = 0; j < shape_.hidden; ++j) {
     const double weight = current_.output_weights[j];
     if (weight == 0.0) continue;
     double sum = direction[shape_.hidden * shape_.inputs + j] * de_[shape_.hidden * shape_.inputs + j];
     for (std::size_t k = j * shape_.inputs; k < (j + 1) * shape_.inputs; ++k) sum += direction[k] * de_[k];
-    activations_e(static_cast<Eigen::Index>(j)) = sum / weight;
+    moved(static_cast<Eigen::Index>(j)) = sum / weight;
   }
+  std::vector<double> along(direction.begin(), direction.end());
+  along.resize(direction.size() + columns());
   const auto transform = cview(current_.transform);
   Eigen::Map<Eigen::VectorXd>(along.data() + p, n) =
-      transform *
-      (cview(current_.gram_inverse) * (transform.transpose() * activations_e) - cview(cross_) * v);
+      transform * (cview(current_.gram_inverse) * (transform.transpose() * moved) - cview(projection_) * v);
 
   std::vector<double> weights = current_.hidden_weights;
   weights.insert(weights.end(), current_.output_weights.begin(), current_.output_weights.end());
-  std::vector<double> phi_second(columns());
-  perceptron_curvature(shape_, weights, along, samples_, fixed_, result, phi_second);
-  Eigen::Map<Eigen::VectorXd> second(result.data(), p);
-  second -= cview(cross_).transpose() *
-            (transform.transpose() * Eigen::Map<const Eigen::VectorXd>(phi_second.data(), n));
-  return second.allFinite();
+  perceptron_curvature(shape_, weights, along, samples_, fixed_, current_.transform, projection_, result);
+  return std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); });
 }
 
 }  // namespace proofmass
