@@ -6,6 +6,7 @@
 #include <string>
 
 #include "proofmass/core/dataset.hpp"
+#include "proofmass/core/progress.hpp"
 
 namespace proofmass {
 
@@ -20,5 +21,10 @@ struct ReadOptions {
 // canonical units. Throws a bad-data Error naming file, row, column, what was found and what was expected; a
 // usage Error when `rename` names no column of the contract or takes one column of the file twice.
 [[nodiscard]] Dataset read_record(const std::filesystem::path& path, const ReadOptions& options = {});
+
+// The same for long records: reports the megabytes read, where the size of the file is known. Throws an Error
+// of kind interrupted when it is told to stop.
+[[nodiscard]] Dataset read_record(const std::filesystem::path& path, const ReadOptions& options,
+                                  Progress& progress);
 
 }  // namespace proofmass

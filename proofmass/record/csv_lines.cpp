@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/record/csv_lines.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -12,6 +14,7 @@ namespace proofmass {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 18;  // bytes asked for at a time
+constexpr std::size_t kMegabyte = 1'000'000;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 Error unreadable(const std::string& name, int os_error) {
@@ -29,10 +32,21 @@ std::FILE* open(const std::filesystem::path& path, const std::string& name) {
   return file;
 }
 
-// Tabs may be separators; everything else below a blank has no place in a line of a text file.
-bool has_control(std::string_view line) noexcept {
-  unsigned found = 0;  // without an early exit the compiler makes this a vector loop
-  for (const char c : line) found |= static_cast<unsigned>(static_cast<unsigned char>(c) < 0x20 && c != '\t');
+// Bytes in a regular file, which standard input may be; 0 for anything else.
+std::size_t size_of(std::FILE* file) noexcept {
+  struct stat status {};
+  if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+  return static_cast<std::size_t>(status.st_size);
+}
+
+// Tabs may be separators; everything else below a blank has no place in a line of a text file, and but for
+// `line_end` none in the text.
+bool has_control(std::string_view text, char line_end = '\t') noexcept {
+  unsigned char found = 0;  // without an early exit, and in bytes, the compiler makes this a vector loop
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != line_end;
+    found = static_cast<unsigned char>(found | static_cast<unsigned char>(control));
+  }
   return found != 0;
 }
 
@@ -50,8 +64,25 @@ void LineReader::Close::operator()(std::FILE* file) const noexcept {
   if (file != stdin) std::fclose(file);
 }
 
-LineReader::LineReader(const std::filesystem::path& path)
-    : name_(path == "-" ? "standard input" : path.string()), file_(open(path, name_)) {}
+LineReader::LineReader(const std::filesystem::path& path, Progress& progress)
+    : name_(path == "-" ? "standard input" : path.string()),
+      file_(open(path, name_)),
+      progress_(progress),
+      size_(size_of(file_.get())) {}
+
+std::size_t LineReader::expected_lines() const noexcept {
+  const std::size_t returned = read_ - (end_ - begin_);
+  if (returned == 0) return 0;
+  return static_cast<std::size_t>(static_cast<double>(size_) / static_cast<double>(returned) *
+                                  static_cast<double>(line_number_));
+}
+
+void LineReader::report() const {
+  if (progress_.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
+  if (size_ == 0) return;
+  const std::size_t total = std::max(size_, read_);  // it may be growing
+  progress_.update("reading, MB", read_ / kMegabyte, (total + kMegabyte - 1) / kMegabyte);
+}
 
 bool LineReader::fill() {
   if (at_end_) return false;
@@ -65,7 +96,10 @@ bool LineReader::fill() {
   if (std::ferror(file_.get()) != 0) throw unreadable(name_, errno);
   hash_.update({buffer_.data() + end_, got});
   end_ += got;
+  read_ += got;
+  clean_ = !has_control({buffer_.data(), end_}, '\n');
   at_end_ = got < kBlock;
+  report();
   return got > 0;
 }
 
@@ -106,7 +140,7 @@ void LineReader::check(std::string_view line) const {
   if (line_number_ == 1 && (line.substr(0, 2) == "\xFF\xFE" || line.substr(0, 2) == "\xFE\xFF")) {
     throw bad_data(place, line.substr(0, 8), "text in UTF-8, not UTF-16");
   }
-  if (!has_control(line)) return;
+  if (clean_ || !has_control(line)) return;
   const std::string_view found = around_control(line);
   if (line.find('\0') == std::string_view::npos && line.find('\r') != std::string_view::npos) {
     throw bad_data(place, found, "lines that end in LF or CRLF, not in CR alone");

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "proofmass/record/csv_decimal.hpp"
+
 namespace proofmass {
 namespace {
 
@@ -19,6 +21,9 @@ bool looks_like_decimal_comma(std::string_view field) {
 }  // namespace
 
 ScannedNumber scan_number(const char* first, const char* last) noexcept {
+  if (const Decimal plain = scan_decimal(first, last); plain.end != nullptr) {
+    return {.value = plain.value, .end = plain.end, .fault = NumberFault::none};
+  }
   ScannedNumber number;
   if (first != last && *first == '+') {
     ++first;

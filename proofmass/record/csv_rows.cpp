@@ -26,6 +26,14 @@ RowParser::RowParser(const Header& header, const std::vector<PlacedColumn>& plac
   }
 }
 
+void RowParser::reserve(std::size_t rows) {
+  lines_.reserve(rows);
+  for (const Slot& slot : slots_) {
+    if (slot.numbers != nullptr) slot.numbers->reserve(rows);
+    if (slot.labels != nullptr) slot.labels->reserve(rows);
+  }
+}
+
 void RowParser::append(std::string_view line, std::size_t line_number) {
   const char* at = line.data();
   const char* const last = at + line.size();

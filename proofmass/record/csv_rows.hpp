@@ -17,6 +17,8 @@ class RowParser {
  public:
   RowParser(const Header& header, const std::vector<PlacedColumn>& placed, Dataset& record);
 
+  // Makes room for `rows` in all.
+  void reserve(std::size_t rows);
   // Throws a bad-data Error that says what is wrong with the line.
   void append(std::string_view line, std::size_t line_number);
 
