@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -8,6 +9,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -65,8 +67,11 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kFooter);
   std::vector<std::pair<CLI::App*, Action>> actions;
+  const std::vector<std::string_view> words(argv, argv + argc);
   for (const Verb& verb : kVerbs) {
     CLI::App* const added = app.add_subcommand(verb.name, verb.description);
+    // The options of a verb that no word names would be made for nothing.
+    if (std::find(words.begin(), words.end(), verb.name) == words.end()) continue;
     actions.emplace_back(added, verb.add(*added));
   }
   if (argc > 1) require_known_verb(argv[1]);

@@ -4,10 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 #include <unordered_map>
 
+#include "proofmass/assess/repeats.hpp"
 #include "proofmass/core/error.hpp"
 
 namespace proofmass {
@@ -53,15 +52,13 @@ std::vector<MountSummary> summarise_mounts(const std::vector<std::string>& label
   return mounts;
 }
 
-// Rows whose key equals an earlier row's.
-template <typename Key>
-std::size_t count_repeats(std::size_t rows, Key key) {
-  std::vector<std::size_t> order(rows);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-  std::size_t repeats = 0;
-  for (std::size_t k = 1; k < rows; ++k) repeats += key(order[k]) == key(order[k - 1]) ? 1U : 0U;
-  return repeats;
+void add_repeats(Inspection& inspection, const Dataset& record) {
+  std::vector<const std::vector<double>*> columns;
+  for (const Axis axis : record.axes()) columns.push_back(&record.along(axis));
+  inspection.repeated_inputs = count_repeats(record.rows(), columns);
+  if (inspection.repeated_inputs == 0) return;  // then no whole rows are repeated either
+  if (!record.output.empty()) columns.push_back(&record.output);
+  inspection.repeated_rows = count_repeats(record.rows(), columns);
 }
 
 void add_presets(Inspection& inspection, const Dataset& record) {
@@ -80,10 +77,6 @@ Inspection inspect(const Dataset& record) {
   if (record.rows() == 0) {
     throw bad_data({.file = record.source, .row = 0, .column = {}}, "no data rows", "at least one");
   }
-  const auto inputs = [&record](std::size_t row) {
-    const Acceleration a = record.at(row);
-    return std::tuple(a.i, a.o, a.p);
-  };
   Inspection inspection;
   inspection.source = record.source;
   inspection.source_sha256 = record.source_sha256;
@@ -91,10 +84,7 @@ Inspection inspect(const Dataset& record) {
   inspection.axes = record.axes();
   add_columns(inspection, record);
   inspection.mounts = summarise_mounts(record.mount);
-  inspection.repeated_inputs = count_repeats(record.rows(), inputs);
-  inspection.repeated_rows = count_repeats(record.rows(), [&](std::size_t row) {
-    return std::tuple_cat(inputs(row), std::tuple(record.output[row]));
-  });
+  add_repeats(inspection, record);
   add_presets(inspection, record);
   return inspection;
 }
