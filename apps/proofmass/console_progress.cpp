@@ -32,8 +32,11 @@ std::string progress_text(std::string_view stage, std::size_t done, std::size_t 
 
 ConsoleProgress::ConsoleProgress(bool quiet) : quiet_(quiet), rewrite_(isatty(STDERR_FILENO) == 1) {}
 
-ConsoleProgress::~ConsoleProgress() {
+ConsoleProgress::~ConsoleProgress() { clear(); }
+
+void ConsoleProgress::clear() {
   if (shown_ && rewrite_) std::fputs("\r\x1b[K", stderr);
+  shown_ = false;
 }
 
 bool ConsoleProgress::is_due(Clock::time_point now) const {

@@ -16,6 +16,8 @@ class ConsoleProgress final : public Progress {
   ~ConsoleProgress() override;
   void update(std::string_view stage, std::size_t done, std::size_t total) override;
   [[nodiscard]] bool cancelled() const noexcept override;
+  // Takes the line off the terminal, for results to follow.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

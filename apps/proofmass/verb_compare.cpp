@@ -68,11 +68,12 @@ void run_compare(const CompareFlags& flags) {
   require_other_file(flags.json, {flags.record, flags.truth});
   std::optional<SimulationPlan> truth;
   if (!flags.truth.empty()) truth = read_simulation(flags.truth);
-  const Dataset record = read_record(flags.record, {.rename = columns});
+  ConsoleProgress progress(flags.common.quiet);
+  const Dataset record = read_record(flags.record, {.rename = columns}, progress);
   const InterruptGuard guard;
   const ThreadLimit limit(flags.common.threads);
-  ConsoleProgress progress(flags.common.quiet);
   Comparison comparison = compare(record, entries, flags.repeats, progress);
+  progress.clear();
   if (truth) score_truth(comparison, record, entries, *truth);
   add_provenance(comparison, record, flags.identify);
   OutputFiles files;

@@ -35,9 +35,9 @@ struct VerbFlags {
   std::string out;
 };
 
-Identification identify(const Dataset& record, const IdentifySettings& settings, const VerbFlags& flags) {
+Identification identify(const Dataset& record, const IdentifySettings& settings, const VerbFlags& flags,
+                        Progress& progress) {
   const ThreadLimit limit(flags.common.threads);
-  ConsoleProgress progress(flags.common.quiet);
   Identification result =
       run(record, find_method(settings.method), settings.options, settings.split, progress);
   auto options = describe(settings);
@@ -112,9 +112,11 @@ void run_identify(const VerbFlags& flags) {
   const IdentifySettings settings = flags.identify.settings();
   const auto columns = renames(flags.map);
   require_writable(flags);
-  const Dataset record = read_record(flags.record, {.rename = columns});
+  ConsoleProgress progress(flags.common.quiet);
+  const Dataset record = read_record(flags.record, {.rename = columns}, progress);
   const InterruptGuard guard;
-  const Identification result = identify(record, settings, flags);
+  const Identification result = identify(record, settings, flags, progress);
+  progress.clear();
   write_result(result, record, settings, flags);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common_flags.hpp"
+#include "console_progress.hpp"
 #include "output.hpp"
 #include "proofmass/assess/inspection.hpp"
 #include "proofmass/report/json.hpp"
@@ -23,7 +24,10 @@ struct InspectFlags {
 void run_inspect(const InspectFlags& flags) {
   require_other_file(flags.json, {flags.record});
   require_folder_of(flags.json);
-  const Inspection inspection = inspect(read_record(flags.record, {.rename = renames(flags.map)}));
+  const auto columns = renames(flags.map);
+  ConsoleProgress progress(flags.common.quiet);
+  const Inspection inspection = inspect(read_record(flags.record, {.rename = columns}, progress));
+  progress.clear();
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(inspection));
   if (flags.json != "-") files.add("-", render_inspection(inspection, terminal_style()));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common_flags.hpp"
+#include "console_progress.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/method.hpp"
@@ -68,7 +69,9 @@ void run_predict(const PredictFlags& flags) {
   require_folder_of(flags.out);
   const auto columns = renames(flags.map);
   const Identification fit = read_result(flags.result);
-  const Dataset inputs = read_record(flags.inputs, {.rename = columns, .require_output = false});
+  ConsoleProgress progress(flags.common.quiet);
+  const Dataset inputs = read_record(flags.inputs, {.rename = columns, .require_output = false}, progress);
+  progress.clear();
   std::ostringstream text;
   const std::vector<double> outputs = predict(fit, inputs);
   require_finite(outputs, inputs);

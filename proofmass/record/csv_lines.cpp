@@ -80,8 +80,8 @@ std::size_t LineReader::expected_lines() const noexcept {
 void LineReader::report() const {
   if (progress_.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
   if (size_ == 0) return;
-  const std::size_t total = std::max(size_, read_);  // it may be growing
-  progress_.update("reading, MB", read_ / kMegabyte, (total + kMegabyte - 1) / kMegabyte);
+  const auto megabytes = [](std::size_t bytes) { return (bytes + kMegabyte - 1) / kMegabyte; };
+  progress_.update("reading (MB)", megabytes(read_), megabytes(std::max(size_, read_)));  // it may be growing
 }
 
 bool LineReader::fill() {
