@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "proofmass/core/error.hpp"
@@ -121,6 +124,49 @@ TEST(ReadRecord, ReadsLinesThatSpanBlocks) {
     ASSERT_EQ(record.output[k], -static_cast<double>(k));
   }
   EXPECT_EQ(record.source_sha256, sha256_hex(text));
+}
+
+struct RecordingProgress final : Progress {
+  void update(std::string_view, std::size_t done, std::size_t total) override {
+    seen.emplace_back(done, total);
+  }
+  [[nodiscard]] bool cancelled() const noexcept override { return seen.size() >= patience; }
+  std::size_t patience = 1000;
+  std::vector<std::pair<std::size_t, std::size_t>> seen;
+};
+
+TEST(ReadRecord, ReportsMegabytesAndStopsWhenTold) {
+  std::string text = "Ai,E\n";
+  while (text.size() < 3'200'000) text += "1.5,2.5\n";
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("run.csv", text);
+  RecordingProgress progress;
+  EXPECT_EQ(read_record(path, {}, progress).source_sha256, sha256_hex(text));
+  ASSERT_GT(progress.seen.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(progress.seen.begin(), progress.seen.end()));
+  EXPECT_EQ(progress.seen.back(), std::pair(std::size_t{4}, std::size_t{4}));
+
+  RecordingProgress impatient;
+  impatient.patience = 2;
+  try {
+    static_cast<void>(read_record(path, {}, impatient));
+    ADD_FAILURE() << "went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+  }
+}
+
+// Control characters are looked for block by block: one in a later block is found, and only its line refused.
+TEST(ReadRecord, NamesTheLineOfAControlCharacterFarIntoAFile) {
+  std::string text = "Ai,E\n";
+  for (int k = 0; k < 200'000; ++k) text += k == 150'000 ? "1,2\x01\n" : "1,2\n";
+  const test::TemporaryFolder folder;
+  try {
+    static_cast<void>(read_record(folder.write("run.csv", text)));
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(":150002: "), std::string::npos) << error.what();
+  }
 }
 
 TEST(ReadRecord, UsageErrorsOfRenaming) {
