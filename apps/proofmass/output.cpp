@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 #include "proofmass/core/error.hpp"
@@ -35,6 +36,13 @@ void OutputFiles::add(const std::filesystem::path& path, std::string_view text) 
     return;
   }
   files_.emplace_back(path).stream() << text;
+}
+
+void OutputFiles::add(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+  if (path != "-") return write(files_.emplace_back(path).stream());
+  std::ostringstream text;
+  write(text);
+  standard_output_ += text.view();
 }
 
 void OutputFiles::commit() {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <initializer_list>
+#include <iosfwd>
 #include <list>
 #include <string>
 #include <string_view>
@@ -25,6 +27,8 @@ class OutputFiles {
  public:
   // "-" is standard output, written by commit().
   void add(const std::filesystem::path& path, std::string_view text);
+  // The same for long text, which is not held in memory when it goes to a file.
+  void add(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
   void commit();
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 #include <optional>
-#include <sstream>
+#include <ostream>
 #include <string>
 
 #include "common_flags.hpp"
@@ -38,12 +38,12 @@ void run_simulate(const SimulateFlags& flags) {
   const InterruptGuard guard;
   const Dataset record = simulate(plan);
   stop_if_interrupted();
-  std::ostringstream text;
-  write_record(text, record,
-               {.units = RecordUnits::declared, .comments = describe(plan, plan.rows, plan.seed)});
-  stop_if_interrupted();
   OutputFiles files;
-  files.add(flags.out, text.view());
+  files.add(flags.out, [&](std::ostream& out) {
+    write_record(out, record,
+                 {.units = RecordUnits::declared, .comments = describe(plan, plan.rows, plan.seed)});
+  });
+  stop_if_interrupted();
   files.commit();
 }
 
