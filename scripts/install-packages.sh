@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the packages of packages.txt that are missing; touches nothing when none is. Without the means to install,
-# it says what is missing and leaves it to the build to tell whether that matters.
+# Installs the packages of a list that are missing; touches nothing when none is. Without the means to install, it says
+# what is missing and leaves it to the build to tell whether that matters.
+#   scripts/install-packages.sh [LIST]    packages.txt, beside this script, when not given
 set -euo pipefail
-list=$(dirname "${BASH_SOURCE[0]}")/packages.txt
+list=${1:-$(dirname "${BASH_SOURCE[0]}")/packages.txt}
 
 installed() { [ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
 if ! command -v dpkg-query >/dev/null; then
-  echo "This is not a Debian system: install what scripts/packages.txt lists by your own means."
+  echo "This is not a Debian system: install what $list lists by your own means."
   exit 0
 fi
 missing=()
@@ -16,7 +17,7 @@ while read -r package; do
   installed "$package" || missing+=("$package")
 done < <(grep -v '^#' "$list")
 if [ ${#missing[@]} -eq 0 ]; then
-  echo "All packages of scripts/packages.txt are installed."
+  echo "All packages of $list are installed."
   exit 0
 fi
 

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The hot paths of network training, against every peer."""
+import json
+import math
+import statistics
+
+from bench import checks as check
+from bench.rounds import interleave, summarise
+
+HIDDEN = (3, 5, 7, 9, 12, 16, 20, 25)
+
+
+def forward(stable, plan, checks):
+    contestants = [
+        stable.ours("Proofmass"),
+        stable.program("pagmo, std::tanh", "pagmo_plain"),
+        stable.program("pagmo, fastest build", "pagmo_fast"),
+        stable.python("numpy, batch", "numpy_peer.py"),
+        stable.octave("Octave"),
+    ]
+    answers = interleave(
+        stable, contestants, plan.rounds, "forward", data=plan.folder / "samples.csv",
+        starts=plan.folder / "swarm.csv", seconds=plan.seconds,
+    )
+    check.forward(checks, answers, plan.folder)
+    return summarise(answers, "Proofmass")
+
+
+def trainers(stable, slow_rounds):
+    return [
+        stable.ours("Proofmass, lm", variant="lm"),
+        stable.ours("Proofmass, varpro", variant="varpro"),
+        stable.program("GSL lm, tuned", "gsl_tuned", variant="lm"),
+        stable.program("GSL lmaccel, tuned", "gsl_tuned", variant="lmaccel"),
+        stable.program("Ceres, batched", "ceres_fast", variant="batched"),
+        stable.python("SciPy least_squares lm", "scipy_peer.py", rounds=slow_rounds),
+    ]
+
+
+def epoch(stable, plan, checks):
+    contestants = trainers(stable, plan.rounds) + [
+        stable.program("GSL lm, as installed", "gsl_installed", variant="lm"),
+        stable.program("GSL lmaccel, as installed", "gsl_installed", variant="lmaccel"),
+        stable.program("Ceres, a block a sample", "ceres_fast", variant="rows"),
+        stable.python("numpy loop", "numpy_peer.py"),
+        stable.octave("Octave loop"),
+    ]
+    data = {"data": plan.folder / "samples.csv", "starts": plan.folder / "starts.csv"}
+    answers = interleave(stable, contestants, plan.rounds, "train", epochs=30, seconds=plan.seconds, **data)
+    check.stated_rmse(checks, "epoch", answers, plan.folder)
+    textbook = [c for c in contestants if c.name in ("Proofmass, lm", "numpy loop", "Octave loop")]
+    few = interleave(stable, textbook, 1, "train", epochs=4, seconds=0, **data)
+    check.same_steps(checks, few, "Proofmass, lm")
+    return summarise(answers, "Proofmass, lm")
+
+
+def quality(stable, plan, checks):
+    """RMSE over sigma after at most 1000 epochs from ten starts; all run to the end, timed each round."""
+    contestants = trainers(stable, 1)
+    if plan.quick:
+        contestants = contestants[:4]
+    answers = interleave(
+        stable, contestants, plan.quality_rounds, "train", data=plan.folder / "samples.csv",
+        starts=plan.folder / "starts.csv", epochs=1000, seconds=0,
+    )
+    check.stated_rmse(checks, "quality", answers, plan.folder)
+    summary = summarise(answers, "Proofmass, varpro", "seconds")
+    scale = json.loads((plan.folder / "scale.json").read_text(encoding="utf-8"))["unit_over_sigma"]
+    x, target = check.read_samples(plan.folder / "test.csv")
+    for name, list_of_answers in check.present(answers):
+        last = list_of_answers[-1]
+        summary[name]["over_sigma"] = [scale * rmse for rmse in last["values"]]
+        summary[name]["test_over_sigma"] = [
+            scale * float(check.network.rmse(check.np.array(w), x, target)) for w in last["weights"]
+        ]
+        summary[name]["epochs"] = last["counts"]
+    return summary
+
+
+def geometric_mean(numbers):
+    return math.exp(statistics.fmean(math.log(n) for n in numbers))
+
+
+def growth(stable, plan, checks):
+    """Time a sample and memory as rows grow; the same 1400 samples repeated, so that training is the same."""
+    del checks
+    table = []
+    for factor in (1, 10, 100, 1000):
+        rows = 1400 * factor
+        one = {"data": plan.folder / "samples.csv", "rows": rows, "seconds": plan.seconds}
+        start = {"starts": plan.folder / "starts-7.csv", "epochs": 10}
+        contestants = [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro")]
+        if not plan.quick:
+            contestants.append(stable.program("GSL lm, tuned", "gsl_tuned", variant="lm"))
+        rounds = 3 if plan.quick else plan.rounds
+        trained = interleave(stable, contestants, rounds, "train", **one, **start)
+        swarm = interleave(
+            stable, [stable.ours("forward")], rounds, "forward", **one, starts=plan.folder / "starts.csv"
+        )
+        line = {"rows": rows, "data_mib": rows * 4 * 8 / 2**20}
+        for name, list_of_answers in {**swarm, **trained}.items():
+            line[name] = statistics.median(a["ns"] for a in list_of_answers)
+            line[name + " peak_mib"] = max(a["peak_kib"] for a in list_of_answers) / 1024
+        table.append(line)
+    return table
+
+
+def hidden_growth(stable, plan, checks):
+    """Time a sample as the hidden layer grows."""
+    del checks
+    table = []
+    for hidden in HIDDEN:
+        data = {
+            "data": plan.folder / "samples.csv", "starts": plan.folder / f"starts-{hidden}.csv",
+            "hidden": hidden, "seconds": plan.seconds,
+        }
+        rounds = 3 if plan.quick else plan.rounds
+        trained = interleave(
+            stable, [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro")], rounds,
+            "train", epochs=10, **data,
+        )
+        swarm = interleave(stable, [stable.ours("forward")], rounds, "forward", **data)
+        line = {"hidden": hidden}
+        for name, list_of_answers in {**swarm, **trained}.items():
+            line[name] = statistics.median(a["ns"] for a in list_of_answers)
+        table.append(line)
+    return table

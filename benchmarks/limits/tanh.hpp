@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+namespace bench {
+
+// tanh as the product's kernels compute it; false when the library does not offer it by itself.
+bool product_tanh(std::span<const double> z, std::span<double> result);
+
+}  // namespace bench

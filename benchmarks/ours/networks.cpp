@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "ours/tasks.hpp"
+#include "proofmass/identify/network_trainer.hpp"
+#include "proofmass/numeric/perceptron_kernels.hpp"
+#include "proofmass/numeric/samples.hpp"
+
+namespace bench::ours {
+namespace {
+
+using proofmass::PerceptronShape;
+using proofmass::Samples;
+
+constexpr std::size_t kInputs = 3;
+
+Samples as_samples(const NetworkSamples& rows) {
+  Samples samples(kInputs, rows.rows);
+  for (std::size_t k = 0; k < kInputs; ++k) {
+    const std::span<double> column = samples.input(k);
+    for (std::size_t row = 0; row < rows.rows; ++row) column[row] = rows.at(row)[k];
+  }
+  const std::span<double> target = samples.target();
+  for (std::size_t row = 0; row < rows.rows; ++row) target[row] = rows.at(row)[kInputs];
+  return samples;
+}
+
+}  // namespace
+
+Answer forward(const Request& request) {
+  const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
+  const Samples samples = as_samples(read_samples(request));
+  const std::vector<Row> swarm = read_table(request.starts);
+  std::vector<double> rmse(swarm.size());
+  const auto rows = static_cast<double>(samples.rows());
+  Answer answer = measure(request.seconds, [&] {
+    for (std::size_t k = 0; k < swarm.size(); ++k) {
+      rmse[k] = std::sqrt(proofmass::perceptron_sse(shape, swarm[k], samples) / rows);
+    }
+  });
+  answer.ns = 1e9 * answer.seconds / (rows * static_cast<double>(swarm.size()));
+  answer.values = rmse;
+  return answer;
+}
+
+// Variants: varpro, which takes the hidden weights of a start and solves the rest, and lm.
+Answer train(const Request& request) {
+  const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
+  const NetworkSamples rows = read_samples(request);
+  const Samples samples = as_samples(rows);
+  proofmass::NetworkOptions options;
+  options.hidden = request.hidden;
+  options.trainer = request.variant == "lm" ? proofmass::Trainer::lm : proofmass::Trainer::varpro;
+  const proofmass::NetworkTrainer trainer(shape, samples, nullptr, options);
+  return contend_training(request, rows, [&](std::span<const double> start, std::size_t epochs) {
+    std::vector<double> weights(start.begin(), start.end());
+    if (options.trainer == proofmass::Trainer::varpro) weights.resize(shape.hidden_weights());
+    proofmass::TrainingState state = trainer.start(std::move(weights));
+    trainer.train(state, epochs, [] { return true; });
+    return Trained{.weights = state.weights, .rmse = state.training_rmse, .epochs = state.epochs};
+  });
+}
+
+}  // namespace bench::ours
