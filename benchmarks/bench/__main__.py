@@ -7,6 +7,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import time
 
 from bench import bounds, machine, networks, program, records, tables
 from bench.checks import Checks
@@ -20,8 +21,7 @@ class Plan:
     quick: bool
     folder: pathlib.Path  # of the data
     rounds: int = 7
-    quality_rounds: int = 3
-    slow_rounds: int = 3
+    growth_rounds: int = 3
     seconds: float = 0.3
     rows: int = 10_000_000
     record_rows: int = 1_000_000
@@ -30,7 +30,7 @@ class Plan:
     def of(quick, folder):
         if not quick:
             return Plan(False, folder)
-        return Plan(True, folder, 3, 1, 1, 0.1, 1_000_000, 100_000)
+        return Plan(True, folder, 3, 1, 0.1, 1_000_000, 100_000)
 
 
 def arguments():
@@ -81,11 +81,11 @@ def measure(stable, plan, wanted):
     results["limits"] = measure_limits(stable)
     for name, section in sections.items():
         if not wanted or name in wanted:
-            print(f"== {name}", file=sys.stderr)
+            begin = time.monotonic()
             results[name] = section(stable, plan, checks)
+            print(f"{name}: done in {time.monotonic() - begin:.0f} s", file=sys.stderr)
     # The program chooses its instruction set itself, so there is nothing to force.
     if not stable.target and (not wanted or "end_to_end" in wanted):
-        print("== end to end", file=sys.stderr)
         results["end_to_end"] = program.end_to_end(stable, plan)
     if "hidden" in results:
         add_operations(results["hidden"])
@@ -126,7 +126,7 @@ def markdown(results):
 
 def main():
     asked = arguments()
-    stable = Stable(asked.build, asked.target)
+    stable = Stable(asked.build, asked.target, machine.flags())
     plan = Plan.of(asked.quick, pathlib.Path(asked.build).parent / "bench")
     lengths = [str(plan.rows)]
     subprocess.run([str(stable.bin / "bench_data"), "data/twin.toml", str(plan.folder), *lengths], check=True)

@@ -46,7 +46,8 @@ def stated_rmse(checks, what, answers, folder):
         answer = list_of_answers[-1]
         again = np.array([network.rmse(np.array(w), x, target) for w in answer["weights"]])
         error = np.max(np.abs(np.array(answer["values"]) / again - 1.0))
-        checks.expect(f"{what}, {name}: RMSE stated and that of the weights handed in", error, 1e-6)
+        # Near the noise, at 5e-8 of the output's range, large output weights leave no more digits than this.
+        checks.expect(f"{what}, {name}: RMSE stated and that of the weights handed in", error, 1e-4)
 
 
 def same_steps(checks, answers, reference):

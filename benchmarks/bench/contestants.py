@@ -29,7 +29,8 @@ class Failed(Exception):
 class Stable:
     """The contestants there are, and what their processes share."""
 
-    def __init__(self, build, target):
+    def __init__(self, build, target, instructions):
+        self.instructions = instructions  # sets of them that the processor has
         self.bin = pathlib.Path(build) / "bin"
         self.target = target
         self.environment = quiet_environment()
@@ -38,6 +39,12 @@ class Stable:
         if self.target:
             settings["target"] = self.target
         return Contestant(name, [str(self.bin / "bench_ours")], settings)
+
+    def ours_by_avx2(self, name, **settings):
+        """The same with AVX2 forced, for the many processors that have no more; none where that is forced already."""
+        if self.target or "avx512f" not in self.instructions:
+            return []
+        return [self.ours(name + ", AVX2 forced", target="avx2", **settings)]
 
     def program(self, name, program, rounds=1000, **settings):
         return Contestant(name, [str(self.bin / "peers" / program)], settings, rounds)

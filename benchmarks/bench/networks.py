@@ -13,6 +13,7 @@ HIDDEN = (3, 5, 7, 9, 12, 16, 20, 25)
 def forward(stable, plan, checks):
     contestants = [
         stable.ours("Proofmass"),
+        *stable.ours_by_avx2("Proofmass"),
         stable.program("pagmo, std::tanh", "pagmo_plain"),
         stable.program("pagmo, fastest build", "pagmo_fast"),
         stable.python("numpy, batch", "numpy_peer.py"),
@@ -39,6 +40,8 @@ def trainers(stable, slow_rounds):
 
 def epoch(stable, plan, checks):
     contestants = trainers(stable, plan.rounds) + [
+        *stable.ours_by_avx2("Proofmass, lm", variant="lm"),
+        *stable.ours_by_avx2("Proofmass, varpro", variant="varpro"),
         stable.program("GSL lm, as installed", "gsl_installed", variant="lm"),
         stable.program("GSL lmaccel, as installed", "gsl_installed", variant="lmaccel"),
         stable.program("Ceres, a block a sample", "ceres_fast", variant="rows"),
@@ -60,7 +63,7 @@ def quality(stable, plan, checks):
     if plan.quick:
         contestants = contestants[:4]
     answers = interleave(
-        stable, contestants, plan.quality_rounds, "train", data=plan.folder / "samples.csv",
+        stable, contestants, 1 if plan.quick else plan.rounds, "train", data=plan.folder / "samples.csv",
         starts=plan.folder / "starts.csv", epochs=1000, seconds=0,
     )
     check.stated_rmse(checks, "quality", answers, plan.folder)
@@ -92,7 +95,7 @@ def growth(stable, plan, checks):
         contestants = [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro")]
         if not plan.quick:
             contestants.append(stable.program("GSL lm, tuned", "gsl_tuned", variant="lm"))
-        rounds = 3 if plan.quick else plan.rounds
+        rounds = plan.growth_rounds
         trained = interleave(stable, contestants, rounds, "train", **one, **start)
         swarm = interleave(
             stable, [stable.ours("forward")], rounds, "forward", **one, starts=plan.folder / "starts.csv"
@@ -114,12 +117,11 @@ def hidden_growth(stable, plan, checks):
             "data": plan.folder / "samples.csv", "starts": plan.folder / f"starts-{hidden}.csv",
             "hidden": hidden, "seconds": plan.seconds,
         }
-        rounds = 3 if plan.quick else plan.rounds
         trained = interleave(
-            stable, [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro")], rounds,
-            "train", epochs=10, **data,
+            stable, [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro")],
+            plan.growth_rounds, "train", epochs=10, **data,
         )
-        swarm = interleave(stable, [stable.ours("forward")], rounds, "forward", **data)
+        swarm = interleave(stable, [stable.ours("forward")], plan.growth_rounds, "forward", **data)
         line = {"hidden": hidden}
         for name, list_of_answers in {**swarm, **trained}.items():
             line[name] = statistics.median(a["ns"] for a in list_of_answers)

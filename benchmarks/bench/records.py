@@ -10,7 +10,7 @@ def least_squares(stable, plan, checks):
     path = plan.folder / f"columns-{plan.rows}.f64"
     contestants = [
         stable.ours("Proofmass, ols"),
-        stable.python("numpy.linalg.lstsq", "numpy_peer.py", rounds=plan.slow_rounds),
+        stable.python("numpy.linalg.lstsq", "numpy_peer.py"),
     ]
     answers = interleave(stable, contestants, plan.rounds, "least-squares", data=path, seconds=0)
     check.same_fit(checks, answers, path, "Proofmass, ols")
@@ -27,9 +27,9 @@ def reading(stable, plan, checks):
         subprocess.run([*map(str, command), "--rows", str(plan.record_rows), "--quiet"], check=True)
     contestants = [
         stable.ours("Proofmass"),
-        stable.python("numpy.loadtxt", "numpy_peer.py", rounds=plan.slow_rounds),
-        stable.python("Python csv", "csv_peer.py", rounds=plan.slow_rounds),
-        stable.octave("Octave dlmread", rounds=plan.slow_rounds),
+        stable.python("numpy.loadtxt", "numpy_peer.py"),
+        stable.python("Python csv", "csv_peer.py"),
+        stable.octave("Octave dlmread"),
     ]
     if pandas_is_there():
         contestants.append(stable.python("pandas.read_csv", "csv_peer.py", variant="pandas"))

@@ -16,7 +16,6 @@ def interleave(stable, contestants, rounds, task, **flags):
             print(f"   left out, not there: {contestant.name}", file=sys.stderr)
     racing = [c for c in contestants if c.name in answers]
     for number in range(rounds):
-        print(f"   {task}: round {number + 1} of {rounds}", file=sys.stderr)
         shift = number % len(racing)
         for contestant in racing[shift:] + racing[:shift]:
             if number < contestant.rounds and answers[contestant.name] is not None:
