@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 
+TIMEOUT = 900  # seconds; none comes near
 PEERS = pathlib.Path(__file__).resolve().parent.parent / "peers"
 
 
@@ -34,6 +35,7 @@ class Stable:
         self.bin = pathlib.Path(build) / "bin"
         self.target = target
         self.environment = quiet_environment()
+        self.failures = []  # names of contestants that gave no answer
 
     def ours(self, name, **settings):
         if self.target:
@@ -60,7 +62,9 @@ class Stable:
         words = [*contestant.command, task]
         for flag, value in {**flags, **contestant.settings}.items():
             words += ["--" + flag, str(value)]
-        done = subprocess.run(words, env=self.environment, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            words, env=self.environment, capture_output=True, text=True, check=False, timeout=TIMEOUT
+        )
         if done.returncode != 0:
             raise Failed(f"{contestant.name}: {done.stderr.strip()[-500:]}")
         return json.loads(done.stdout.splitlines()[-1])

@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The hot paths of network training, against every peer."""
+"""The hot paths of networks, against every peer."""
 import json
-import math
-import statistics
 
 from bench import checks as check
 from bench.rounds import interleave, summarise
-
-HIDDEN = (3, 5, 7, 9, 12, 16, 20, 25)
 
 
 def forward(stable, plan, checks):
@@ -39,15 +35,16 @@ def trainers(stable, slow_rounds):
 
 
 def epoch(stable, plan, checks):
-    contestants = trainers(stable, plan.rounds) + [
-        *stable.ours_by_avx2("Proofmass, lm", variant="lm"),
-        *stable.ours_by_avx2("Proofmass, varpro", variant="varpro"),
+    contestants = [
+        *trainers(stable, plan.rounds),
         stable.program("GSL lm, as installed", "gsl_installed", variant="lm"),
         stable.program("GSL lmaccel, as installed", "gsl_installed", variant="lmaccel"),
         stable.program("Ceres, a block a sample", "ceres_fast", variant="rows"),
         stable.python("numpy loop", "numpy_peer.py"),
         stable.octave("Octave loop"),
     ]
+    for variant in ("varpro", "lm"):
+        contestants[2:2] = stable.ours_by_avx2(f"Proofmass, {variant}", variant=variant)
     data = {"data": plan.folder / "samples.csv", "starts": plan.folder / "starts.csv"}
     answers = interleave(stable, contestants, plan.rounds, "train", epochs=30, seconds=plan.seconds, **data)
     check.stated_rmse(checks, "epoch", answers, plan.folder)
@@ -78,52 +75,3 @@ def quality(stable, plan, checks):
         ]
         summary[name]["epochs"] = last["counts"]
     return summary
-
-
-def geometric_mean(numbers):
-    return math.exp(statistics.fmean(math.log(n) for n in numbers))
-
-
-def growth(stable, plan, checks):
-    """Time a sample and memory as rows grow; the same 1400 samples repeated, so that training is the same."""
-    del checks
-    table = []
-    for factor in (1, 10, 100, 1000):
-        rows = 1400 * factor
-        one = {"data": plan.folder / "samples.csv", "rows": rows, "seconds": plan.seconds}
-        start = {"starts": plan.folder / "starts-7.csv", "epochs": 10}
-        contestants = [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro")]
-        if not plan.quick:
-            contestants.append(stable.program("GSL lm, tuned", "gsl_tuned", variant="lm"))
-        rounds = plan.growth_rounds
-        trained = interleave(stable, contestants, rounds, "train", **one, **start)
-        swarm = interleave(
-            stable, [stable.ours("forward")], rounds, "forward", **one, starts=plan.folder / "starts.csv"
-        )
-        line = {"rows": rows, "data_mib": rows * 4 * 8 / 2**20}
-        for name, list_of_answers in {**swarm, **trained}.items():
-            line[name] = statistics.median(a["ns"] for a in list_of_answers)
-            line[name + " peak_mib"] = max(a["peak_kib"] for a in list_of_answers) / 1024
-        table.append(line)
-    return table
-
-
-def hidden_growth(stable, plan, checks):
-    """Time a sample as the hidden layer grows."""
-    del checks
-    table = []
-    for hidden in HIDDEN:
-        data = {
-            "data": plan.folder / "samples.csv", "starts": plan.folder / f"starts-{hidden}.csv",
-            "hidden": hidden, "seconds": plan.seconds,
-        }
-        trained = interleave(
-            stable, [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro")],
-            plan.growth_rounds, "train", epochs=10, **data,
-        )
-        swarm = interleave(stable, [stable.ours("forward")], plan.growth_rounds, "forward", **data)
-        line = {"hidden": hidden}
-        for name, list_of_answers in {**swarm, **trained}.items():
-            line[name] = statistics.median(a["ns"] for a in list_of_answers)
-        table.append(line)
-    return table

@@ -22,6 +22,7 @@ def interleave(stable, contestants, rounds, task, **flags):
                 try:
                     answers[contestant.name].append(stable.ask(contestant, task, **flags))
                 except Failed as failure:
+                    stable.failures.append(contestant.name)
                     print(f"   FAILED: {failure}", file=sys.stderr)
                     answers[contestant.name] = None
     return answers

@@ -74,14 +74,13 @@ def limits(measured):
 
 def growth(lines):
     paths = [name for name in ("forward", "lm", "varpro", "GSL lm, tuned") if name in lines[0]]
-    head = ["rows", "data, MiB"] + [f"{p}, ns" for p in paths] + [f"{p}, MiB more than data" for p in paths[1:]]
+    head = ["rows", "data, MiB"] + [f"{p}, ns" for p in paths] + [f"{p}, memory x data" for p in paths]
     rows = []
     for line in lines:
         row = [f"{line['rows']}", short(line["data_mib"])] + [short(line[p]) for p in paths]
-        at_first = lines[0]
-        for p in paths[1:]:
-            more = line[p + " peak_mib"] - at_first[p + " peak_mib"] - line["data_mib"]
-            row.append(f"{more:.0f}")
+        for p in paths:
+            grown = line[p + " peak_mib"] - lines[0][p + " peak_mib"]
+            row.append(short(grown / line["data_mib"]) if line["data_mib"] > 1 else "")
         rows.append(row)
     return table(head, rows)
 
