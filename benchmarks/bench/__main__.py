@@ -40,6 +40,7 @@ def arguments():
     parser.add_argument("--tables", required=True, type=pathlib.Path)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--target", default="")
+    parser.add_argument("--rounds", type=int, help="instead of the plan's")
     parser.add_argument("--sections", default="", help="comma-separated; all when empty")
     return parser.parse_args()
 
@@ -120,6 +121,8 @@ def main():
     asked = arguments()
     stable = Stable(asked.build, asked.target, machine.flags())
     plan = Plan.of(asked.quick, pathlib.Path(asked.build).parent / "bench")
+    if asked.rounds:
+        plan.rounds = asked.rounds
     lengths = [str(plan.rows)]
     subprocess.run([str(stable.bin / "bench_data"), "data/twin.toml", str(plan.folder), *lengths], check=True)
     wanted = [name for name in asked.sections.split(",") if name]

@@ -9,7 +9,8 @@ from bench.rounds import interleave, summarise
 def least_squares(stable, plan, checks):
     path = plan.folder / f"columns-{plan.rows}.f64"
     contestants = [
-        stable.ours("Proofmass, ols"),
+        stable.ours("Proofmass, ols", variant="ols"),
+        stable.ours("Proofmass, wls", variant="wls"),
         stable.python("numpy.linalg.lstsq", "numpy_peer.py"),
     ]
     answers = interleave(stable, contestants, plan.rounds, "least-squares", data=path, seconds=0)

@@ -9,7 +9,8 @@
 
 namespace bench::ours {
 
-// All 21 terms on columns Ai, Ao, Ap, E; answers the coefficients.
+// All 21 terms on columns Ai, Ao, Ap, E; answers the coefficients. Variants: ols, and wls, with weights that
+// are all the same, so that the coefficients are too.
 Answer least_squares(const Request& request) {
   std::vector<std::vector<double>> columns = read_columns(request.data, 4);
   proofmass::Dataset record;
@@ -17,7 +18,8 @@ Answer least_squares(const Request& request) {
   record.output = std::move(columns[3]);
   proofmass::IdentifyOptions options;
   options.terms = proofmass::parse_terms("full");
-  const proofmass::Method& method = proofmass::find_method(request.variant.empty() ? "ols" : request.variant);
+  const proofmass::Method& method = proofmass::find_method(request.variant);
+  if (request.variant == "wls") record.output_sigma.assign(record.rows(), 1e-6);
   proofmass::SilentProgress progress;
   proofmass::Identification result;
   Answer answer = measure(request.seconds, [&] { result = method.identify(record, {}, options, progress); });
