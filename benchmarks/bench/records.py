@@ -41,7 +41,7 @@ def reading(stable, plan, checks):
 
 def pandas_is_there():
     try:
-        import pandas  # noqa: F401
+        import pandas  # noqa: F401 (whether it is there is all that is asked)
     except ImportError:
         return False
     return True
