@@ -49,7 +49,8 @@ cat "$tables"
 
 if "$write"; then
   [ -n "$target" ] || renew_tables BENCHMARKS.md "$tables"
-  machine=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1 | tr -cs '[:alnum:]\n' - | tr '[:upper:]' '[:lower:]')
+  machine=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1 | tr -cs '[:alnum:]\n' - |
+    tr '[:upper:]' '[:lower:]')
   cp "$figures" "benchmarks/results/$(date +%F)-${machine:-machine}${target:+-$target}.json"
 fi
 exit "$status"

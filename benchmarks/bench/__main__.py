@@ -113,7 +113,8 @@ def markdown(results):
             parts.append(f"### {title}\n\n{render(results[key])}")
     failed = [c["what"] for c in results["checks"] if not c["good"]]
     done = len(results["checks"])
-    parts.append(f"Checks of what was reached: {done - len(failed)} of {done} hold." + "".join(f" Failed: {f}." for f in failed))
+    broken = "".join(f" Failed: {what}." for what in failed)
+    parts.append(f"Checks of what was reached: {done - len(failed)} of {done} hold.{broken}")
     return "\n\n".join(parts) + "\n"
 
 

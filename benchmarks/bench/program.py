@@ -78,5 +78,6 @@ def end_to_end(stable, plan):
         words = ("identify", record, "--method", "pso-bp", "--preset", "paper", "--threads", threads)
         table.append(line(f"identify --preset paper, {on(threads)}", [run(stable, *words) for _ in range(rounds)]))
     if not plan.quick:
-        table.append(line("reproduce --quick", [run(stable, "reproduce", "--quick", "--out", plan.folder / "reproduce")]))
+        words = ("reproduce", "--quick", "--out", plan.folder / "reproduce")
+        table.append(line("reproduce --quick", [run(stable, *words)]))
     return table
