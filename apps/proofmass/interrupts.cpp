@@ -1,25 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupts.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
+#include <string_view>
 
 #include "proofmass/core/error.hpp"
 
 namespace proofmass::cli {
 namespace {
 
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+constexpr int kInterrupted = 130;  // exit_code(ErrorKind::interrupted)
+constexpr std::string_view kFarewell = "proofmass: error: interrupted; nothing was written\n";
+
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "or a signal handler must not touch it");
 
-extern "C" void ask_to_stop(int) { asked.store(true); }
+// Both do only what POSIX allows in a handler.
+extern "C" void leave(int) {
+  const auto unheard = write(STDERR_FILENO, kFarewell.data(), kFarewell.size());
+  static_cast<void>(unheard);
+  _exit(kInterrupted);
+}
+
+extern "C" void ask_to_stop(int) {
+  if (asked.exchange(true)) _exit(kInterrupted);
+}
+
+// Interrupted system calls are not restarted: whoever waits in one shall hear of it.
+struct sigaction action_of(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  return action;
+}
+
+// One who started the program by nohup wants it to outlive the terminal.
+bool is_ignored_hangup(int signal_number, const struct sigaction& before) {
+  return signal_number == SIGHUP && before.sa_handler == SIG_IGN;
+}
+
+void handle(int signal_number, void (*handler)(int), struct sigaction& before) {
+  const struct sigaction action = action_of(handler);
+  sigaction(signal_number, nullptr, &before);
+  if (!is_ignored_hangup(signal_number, before)) sigaction(signal_number, &action, nullptr);
+}
 
 }  // namespace
 
+void leave_when_interrupted() {
+  struct sigaction before {};
+  for (const int signal_number : kSignals) handle(signal_number, leave, before);
+}
+
 InterruptGuard::InterruptGuard() {
-  struct sigaction action {};
-  action.sa_handler = ask_to_stop;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  for (std::size_t k = 0; k < kSignals.size(); ++k) sigaction(kSignals[k], &action, &previous_[k]);
+  for (std::size_t k = 0; k < kSignals.size(); ++k) handle(kSignals[k], ask_to_stop, previous_[k]);
 }
 
 InterruptGuard::~InterruptGuard() {

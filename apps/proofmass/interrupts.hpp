@@ -6,8 +6,13 @@
 
 namespace proofmass::cli {
 
-// While it lives, SIGINT, SIGTERM and SIGHUP ask the work to stop instead of ending the process; a second
-// signal ends it.
+// From here on SIGINT, SIGTERM and SIGHUP end the process with the contract's exit code and a word to
+// standard error, whatever it is waiting for. For as long as nothing has been written, nothing need be
+// undone.
+void leave_when_interrupted();
+
+// While it lives, those signals ask the work to stop instead, so that it can clean up; a second one ends the
+// process.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -16,8 +21,7 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
  private:
-  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
-  std::array<struct sigaction, kSignals.size()> previous_{};
+  std::array<struct sigaction, 3> previous_{};
 };
 
 [[nodiscard]] bool interrupted() noexcept;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "interrupts.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/report/version.hpp"
@@ -99,6 +100,7 @@ int main(int argc, char** argv) {
   // A closed pipe then fails the write instead of ending the process without a word.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // likewise a file that grows past its limit
+  proofmass::cli::leave_when_interrupted();
   try {
     return proofmass::cli::dispatch(argc, argv);
   } catch (const proofmass::Error& error) {

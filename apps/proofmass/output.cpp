@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <system_error>
@@ -14,11 +13,21 @@
 
 namespace proofmass::cli {
 
+namespace fs = std::filesystem;
+
 void print(std::string_view text) {
-  errno = 0;
-  const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
-  if (written != text.size() || std::fflush(stdout) != 0) {
+  // Streams would go on waiting for the reader after a signal.
+  while (!text.empty()) {
+    if (interrupted()) {
+      throw Error(ErrorKind::interrupted, "interrupted while writing to standard output");
+    }
+    const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
+    if (written >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+      continue;
+    }
     if (errno == EPIPE) return;  // the reader has seen enough, as head does
+    if (errno == EINTR) continue;
     throw usage_error(
         fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
   }
@@ -30,44 +39,69 @@ TerminalStyle terminal_style() {
   return {.colour = !refused && isatty(STDOUT_FILENO) == 1};
 }
 
-void OutputFiles::add(const std::filesystem::path& path, std::string_view text) {
-  if (path == "-") {
-    standard_output_ += text;
-    return;
-  }
-  files_.emplace_back(path).stream() << text;
+OutputFiles::~OutputFiles() {
+  files_.clear();
+  // One that something else has been put into stays.
+  std::error_code ignored;
+  for (; !new_folders_.empty(); new_folders_.pop_back()) fs::remove(new_folders_.back(), ignored);
 }
 
-void OutputFiles::add(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
-  if (path != "-") return write(files_.emplace_back(path).stream());
-  std::ostringstream text;
-  write(text);
-  standard_output_ += text.view();
+void OutputFiles::make_folder(const fs::path& path) {
+  fs::path folder;
+  for (const fs::path& part : path) {
+    folder /= part;
+    std::error_code failure;
+    if (fs::is_directory(folder, failure)) continue;
+    if (fs::create_directory(folder, failure)) new_folders_.push_back(folder);
+    if (failure) {
+      throw usage_error(fmt::format("cannot make the folder '{}': {}", path.string(), failure.message()));
+    }
+  }
+}
+
+void OutputFiles::add(const fs::path& path, std::string_view text) {
+  add(path, [text](std::ostream& out) { out << text; });
+}
+
+void OutputFiles::add(const fs::path& path, const std::function<void(std::ostream&)>& write) {
+  if (path == "-") {
+    std::ostringstream text;
+    write(text);
+    standard_output_ += text.view();
+    return;
+  }
+  try {
+    write(files_.emplace_back(path).stream());
+  } catch (const Error&) {
+    stop_if_interrupted();  // which is then why a pipe without a reader could not be opened
+    throw;
+  }
 }
 
 void OutputFiles::commit() {
   for (AtomicFile& file : files_) file.close();
+  stop_if_interrupted();
   if (!standard_output_.empty()) print(standard_output_);
   for (AtomicFile& file : files_) file.commit();
   files_.clear();
+  new_folders_.clear();
 }
 
-void require_other_file(const std::filesystem::path& output,
-                        std::initializer_list<std::filesystem::path> inputs) {
+void require_other_file(const fs::path& output, std::initializer_list<fs::path> inputs) {
   if (output.empty() || output == "-") return;
   for (const auto& input : inputs) {
     std::error_code ignored;
-    if (input == "-" || !std::filesystem::is_regular_file(output, ignored)) continue;
-    if (std::filesystem::equivalent(output, input, ignored)) {
+    if (input == "-" || !fs::is_regular_file(output, ignored)) continue;
+    if (fs::equivalent(output, input, ignored)) {
       throw usage_error(fmt::format("'{}' is an input: writing it would destroy it", output.string()));
     }
   }
 }
 
-void require_folder_of(const std::filesystem::path& file) {
+void require_folder_of(const fs::path& file) {
   if (file.empty() || file == "-" || !file.has_parent_path()) return;
   std::error_code ignored;
-  if (!std::filesystem::is_directory(file.parent_path(), ignored)) {
+  if (!fs::is_directory(file.parent_path(), ignored)) {
     throw usage_error(fmt::format("cannot write '{}': there is no folder '{}'", file.string(),
                                   file.parent_path().string()));
   }

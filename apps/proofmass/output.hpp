@@ -8,30 +8,41 @@
 #include <list>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "interrupts.hpp"
 #include "proofmass/core/atomic_file.hpp"
 #include "proofmass/report/terminal.hpp"
 
 namespace proofmass::cli {
 
 // Writes to standard output and flushes. Throws a usage Error when that fails, as on a full disk; that nobody
-// reads any more is not a failure.
+// reads any more is not a failure. Throws an Error of kind interrupted when asked to stop.
 void print(std::string_view text);
 
 // Colour on standard output: only on a terminal, and not when NO_COLOR is set (no-color.org).
 [[nodiscard]] TerminalStyle terminal_style();
 
 // Files that appear once every one of them is complete and standard output has taken its text; until then,
-// none does.
+// none does. A failure or an interruption before that leaves neither temporary files nor new folders.
 class OutputFiles {
  public:
+  OutputFiles() = default;
+  ~OutputFiles();
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
+  // The folder, with those above it, unless it is there; gone again without a commit().
+  void make_folder(const std::filesystem::path& path);
   // "-" is standard output, written by commit().
   void add(const std::filesystem::path& path, std::string_view text);
   // The same for long text, which is not held in memory when it goes to a file.
   void add(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+  // Throws an Error of kind interrupted when asked to stop before all is done.
   void commit();
 
  private:
+  InterruptGuard guard_;
+  std::vector<std::filesystem::path> new_folders_;  // outermost first
   std::list<AtomicFile> files_;
   std::string standard_output_;
 };

@@ -26,8 +26,22 @@ TEST_F(Safety, AFullStandardOutputLeavesNoFiles) {
   const Outcome full =
       shell("$P identify " + record + " --json " + at("r.json") + " --out " + at("results") + " >/dev/full");
   EXPECT_EQ(full.exit_code, 2);
-  EXPECT_FALSE(exists("r.json"));
-  EXPECT_FALSE(exists("results/result.json"));
+  EXPECT_EQ(names(), std::vector<std::string>{"run.csv"});
+}
+
+TEST_F(Safety, AFailureTakesTheFoldersItMadeWithIt) {
+  const std::string record = make_record();
+  const auto ask = [&](const std::string& out) {
+    return proofmass({"identify", record, "--out", at(out), "--json", "/dev/full"});
+  };
+  expect_failure(ask("a/b/c"), 2, {"/dev/full"});
+  EXPECT_EQ(names(), std::vector<std::string>{"run.csv"});
+  std::filesystem::create_directory(at("mine"));
+  expect_failure(ask("mine"), 2, {"/dev/full"});
+  expect_failure(ask("mine/../b/c/"), 2, {"/dev/full"});
+  EXPECT_TRUE(std::filesystem::is_empty(at("mine")));
+  EXPECT_FALSE(exists("b"));
+  expect_failure(ask("run.csv/results"), 2, {"run.csv/results", "cannot make the folder"});
 }
 
 TEST_F(Safety, TheExitCodeSurvivesAClosedStandardError) {

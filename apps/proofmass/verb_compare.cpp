@@ -78,7 +78,6 @@ void run_compare(const CompareFlags& flags) {
   add_provenance(comparison, record, flags.identify);
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
-  stop_if_interrupted();
   if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style()));
   files.commit();
 }

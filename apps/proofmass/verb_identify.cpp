@@ -72,25 +72,18 @@ std::string history(const Identification& result) {
   return text.str();
 }
 
-fs::path created_folder(const std::string& path) {
-  std::error_code failure;
-  fs::create_directories(path, failure);
-  if (failure) throw usage_error(fmt::format("cannot make the folder '{}': {}", path, failure.message()));
-  return path;
-}
-
 void write_result(const Identification& result, const Dataset& record, const IdentifySettings& settings,
                   const VerbFlags& flags) {
   const std::string json = to_json(result);
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, json);
   if (!flags.out.empty()) {
-    const fs::path folder = created_folder(flags.out);
+    const fs::path folder = flags.out;
+    files.make_folder(folder);
     files.add(folder / "result.json", json);
     files.add(folder / "predictions.csv", predictions(result, record, settings));
     files.add(folder / "history.csv", history(result));
   }
-  stop_if_interrupted();
   if (flags.json != "-") files.add("-", render_table(result, terminal_style()));
   files.commit();
 }

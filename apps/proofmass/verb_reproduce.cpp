@@ -28,12 +28,6 @@ struct ReproduceFlags {
   std::uint64_t seed = 1;
 };
 
-void require_folder(const std::string& path) {
-  std::error_code failure;
-  fs::create_directories(path, failure);
-  if (failure) throw usage_error(fmt::format("cannot make the folder '{}': {}", path, failure.message()));
-}
-
 void run_reproduce(const ReproduceFlags& flags) {
   std::error_code ignored;
   if (!flags.out.empty() && fs::exists(flags.out, ignored) && !fs::is_directory(flags.out, ignored)) {
@@ -49,14 +43,12 @@ void run_reproduce(const ReproduceFlags& flags) {
     made = reproduce(paper_twin(), options, progress);
   }
   OutputFiles files;
-  stop_if_interrupted();
   if (!flags.out.empty()) {
-    require_folder(flags.out);
+    files.make_folder(flags.out);
     for (const NamedText& file : reproduction_files(made))
       files.add(fs::path(flags.out) / file.name, file.text);
   }
   files.add("-", render_reproduction(made));
-  stop_if_interrupted();
   files.commit();
 }
 

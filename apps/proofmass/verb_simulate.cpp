@@ -5,7 +5,6 @@
 #include <string>
 
 #include "common_flags.hpp"
-#include "interrupts.hpp"
 #include "output.hpp"
 #include "proofmass/record/csv_writer.hpp"
 #include "proofmass/stand/simulation.hpp"
@@ -35,9 +34,7 @@ void run_simulate(const SimulateFlags& flags) {
   if (flags.seed) plan.seed = *flags.seed;
   if (flags.sigma_ug) plan.noise.sigma = *flags.sigma_ug * kGPerUg;
 
-  const InterruptGuard guard;
   const Dataset record = simulate(plan);
-  stop_if_interrupted();
   OutputFiles files;
   files.add(flags.out, [&](std::ostream& out) {
     write_record(out, record,
