@@ -10,8 +10,6 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kLongestExcerpt = 60;  // characters
-
 // The next character of `text` as it may be shown: itself when printable, otherwise its bytes as \xNN.
 std::string printable(std::string_view character) {
   const auto first = static_cast<unsigned char>(character.front());
@@ -25,18 +23,18 @@ std::string printable(std::string_view character) {
   return escaped;
 }
 
-std::string excerpt(std::string_view text) {
+}  // namespace
+
+std::string excerpt(std::string_view text, std::size_t most) {
   std::string shown;
   for (std::size_t count = 0; !text.empty(); ++count) {
-    if (count == kLongestExcerpt) return shown + "...";
+    if (count == most) return shown + "...";
     const std::size_t length = std::max<std::size_t>(1, utf8_length(text));
     shown += printable(text.substr(0, length));
     text.remove_prefix(length);
   }
   return shown;
 }
-
-}  // namespace
 
 Error bad_data(const Place& place, std::string_view found, std::string_view expected) {
   std::string message = place.file;

@@ -41,6 +41,9 @@ struct Place {
 // its unprintable bytes are shown escaped. An empty `found` is left out.
 [[nodiscard]] Error bad_data(const Place& place, std::string_view found, std::string_view expected);
 
+// The text as an error may quote it: cut after `most` characters, unprintable bytes escaped.
+[[nodiscard]] std::string excerpt(std::string_view text, std::size_t most = 60);
+
 [[nodiscard]] Error usage_error(const std::string& message);
 [[nodiscard]] Error refusal(const std::string& message);
 

@@ -7,16 +7,19 @@
 
 namespace proofmass {
 
+namespace {
+constexpr std::size_t kLongestPath = 120;  // characters; members may have any name
+}  // namespace
+
 JsonNode::JsonNode(const Json& json, std::string source, std::string path)
     : json_(&json), source_(std::move(source)), path_(std::move(path)) {}
 
 void JsonNode::fail(std::string_view expected) const {
-  constexpr std::size_t kLongest = 60;
-  std::string found = json_->dump(-1, ' ', true, Json::error_handler_t::replace);
-  if (found.size() > kLongest) found = found.substr(0, kLongest - 3) + "...";
+  const std::string found = json_->dump(-1, ' ', true, Json::error_handler_t::replace);
   throw Error(ErrorKind::bad_data,
               fmt::format("{}: {}: found {}, expected {}", source_,
-                          path_.empty() ? "the document" : "key '" + path_ + "'", found, expected));
+                          path_.empty() ? "the document" : "key '" + excerpt(path_, kLongestPath) + "'",
+                          excerpt(found), expected));
 }
 
 std::string JsonNode::path_of(const std::string& key) const {
@@ -33,7 +36,8 @@ std::optional<JsonNode> JsonNode::find(const std::string& key) const {
 JsonNode JsonNode::at(const std::string& key) const {
   auto found = find(key);
   if (!found) {
-    throw Error(ErrorKind::bad_data, fmt::format("{}: key '{}' is missing", source_, path_of(key)));
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}: key '{}' is missing", source_, excerpt(path_of(key), kLongestPath)));
   }
   return *std::move(found);
 }

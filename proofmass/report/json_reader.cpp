@@ -111,6 +111,7 @@ Provenance provenance_of(const JsonNode& node) {
   return provenance;
 }
 
+constexpr std::size_t kLongestComplaint = 160;             // characters of the parser's words
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of a result
 
 }  // namespace
@@ -120,9 +121,11 @@ Identification parse_result(std::string_view text, const std::string& source) {
   try {
     json = JsonNode::Json::parse(text.begin(), text.end());
   } catch (const JsonNode::Json::exception& error) {
-    const std::string message = error.what();  // "[json.exception.…] parse error at line 1, column 2: …"
+    // "[json.exception.…] parse error at line 1, column 2: …" with what was read last, however long.
+    const std::string_view message = error.what();
     throw Error(ErrorKind::bad_data,
-                fmt::format("{}: not JSON:{}", source, message.substr(message.find(']') + 1)));
+                fmt::format("{}: not JSON:{}", source,
+                            excerpt(message.substr(message.find(']') + 1), kLongestComplaint)));
   }
   const JsonNode root(json, source);
   if (root.at("schema").text() != kSchema) root.at("schema").fail(fmt::format("\"{}\"", kSchema));

@@ -204,6 +204,21 @@ TEST(Json, SaysWhereTextIsNotJson) {
   EXPECT_NE(message_of("{\"schema\": 1e999}").find("not JSON"), std::string::npos);
 }
 
+TEST(Json, QuotesLongTextOnlyInPart) {
+  const std::string junk(100'000, '7');
+  const Json good = Json::parse(to_json(full_result()));
+  Json long_key = good;
+  long_key["history"] = {{junk, "x"}};
+  Json long_text = good;
+  long_text["seed"] = junk;
+  for (const std::string& text : {junk, junk + "e", "\"" + junk, long_key.dump(), long_text.dump()}) {
+    const std::string message = message_of(text);
+    EXPECT_LT(message.size(), 300U);
+    EXPECT_NE(message.find("777"), std::string::npos);
+    EXPECT_NE(message.find("..."), std::string::npos);
+  }
+}
+
 TEST(Json, RefusesFilesThatAreNotThere) {
   EXPECT_THROW((void)read_result("no/such/file.json"), Error);
   EXPECT_THROW((void)read_result("."), Error);
