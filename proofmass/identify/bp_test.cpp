@@ -103,6 +103,23 @@ TEST(Bp, SaysHowManyRowsTheNetworkNeeds) {
   }
 }
 
+TEST(Bp, RefusesANetworkThatCouldNotBeTrained) {
+  IdentifyOptions options = small();
+  options.network.trainer = Trainer::lm;
+  options.network.mu = 1e300;  // beyond the largest damping: no step is even tried
+  try {
+    (void)identify(test::make_twin(), options);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_THAT(error.what(), HasSubstr("could not be trained: no step reduces the sum of squares"));
+    EXPECT_THAT(error.what(), HasSubstr("R² -"));
+  }
+  options.network.mu = 1e-3;
+  options.network.epochs = 1;  // as asked, however poor
+  EXPECT_EQ(identify(test::make_twin(), options).ending.status, EndingStatus::iteration_limit);
+}
+
 TEST(Bp, TakesAnyHiddenLayer) {
   double before = 1e9;
   for (const std::size_t hidden : {1U, 4U, 12U}) {

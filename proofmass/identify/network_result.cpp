@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/design_matrix.hpp"
@@ -19,6 +22,7 @@ namespace proofmass {
 namespace {
 
 constexpr double kMisfit = 1.1;      // residual over least squares' beyond which noise is not the reason
+constexpr double kRounding = 1e-12;  // root mean square residual of the scaled output that is no noise
 constexpr double kSaturated = 0.99;  // |tanh| beyond this: the unit hardly answers its inputs
 
 double saturated_share(const NetworkTask& task, const std::vector<double>& weights) {
@@ -68,6 +72,19 @@ std::string disagreement(const Identification& result, const std::vector<double>
          join_names(differing);
 }
 
+// What a residual beyond that of least squares means, or nothing when it is not beyond.
+std::string misfit(const NetworkTask& task, double residual_sd) {
+  const double floor = task.least_squares_rmse * output_half_range(task.network);
+  if (!(floor > 0.0 && residual_sd > kMisfit * floor)) return {};
+  const std::string how_much =
+      task.least_squares_rmse > kRounding
+          ? fmt::format("is {:.3g} times that of least squares with every separable term",
+                        residual_sd / floor)
+          : "is more than rounding, all that least squares with every separable term leaves";
+  return "the network's residual " + how_much +
+         ": misfit, not white noise, so the standard errors, intervals, t and p do not hold";
+}
+
 void add_coefficients(Identification& result, const NetworkTask& task, const IdentifyOptions& options,
                       const ProjectedCoefficients& projected) {
   const std::vector<double> expansion = expand_at_zero(*result.network, task.found.identified);
@@ -84,14 +101,7 @@ void add_coefficients(Identification& result, const NetworkTask& task, const Ide
       "(delta "
       "method) assume exact inputs, white noise of one variance and a network trained to a minimum");
   const double residual_sd = result.diagnostics.residual_sd.value_or(0.0);
-  const double floor = task.least_squares_rmse * output_half_range(task.network);
-  if (floor > 0.0 && residual_sd > kMisfit * floor) {
-    notes.push_back(
-        fmt::format("the network's residual is {:.3g} times that of least squares with every separable term: "
-                    "misfit, not white "
-                    "noise, so the standard errors, intervals, t and p do not hold",
-                    residual_sd / floor));
-  }
+  if (std::string note = misfit(task, residual_sd); !note.empty()) notes.push_back(std::move(note));
   const double typical = residual_sd * std::sqrt(static_cast<double>(task.found.identified.size()) /
                                                  static_cast<double>(task.training.rows()));
   if (projected.induced_deviation > typical) {
@@ -101,6 +111,26 @@ void add_coefficients(Identification& result, const NetworkTask& task, const Ide
                     "the standard errors are too small by about that ratio",
                     projected.induced_deviation, result.output_unit.canonical_symbol(), typical));
   }
+}
+
+// Refuses what is no fit: errors beyond all measure, or a network as it started that explains nothing.
+void require_fit(std::string_view method, const NetworkTask& task, const TrainingState& best) {
+  const auto& [cause, reason] = best.termination;
+  if (!std::isfinite(best.training_rmse)) {
+    throw refusal(fmt::format("{} found no network with a finite error: {}", method, reason));
+  }
+  const std::vector<double>& output = task.training.output;
+  const auto rows = static_cast<double>(output.size());
+  const double mean = std::accumulate(output.begin(), output.end(), 0.0) / rows;
+  double variance = 0.0;
+  for (const double e : output) variance += (e - mean) * (e - mean) / rows;
+  const double rmse = best.training_rmse * output_half_range(task.network);
+  const double r2 = 1.0 - rmse * rmse / variance;
+  if (cause != Cause::stalled || best.epochs > 0 || r2 > 0.0) return;
+  throw refusal(
+      fmt::format("{} could not be trained: {} in the first epoch, and the network as it started explains "
+                  "nothing of the output (R² {:.3g} on the training rows)",
+                  method, reason, r2));
 }
 
 double least_squares_error(const Dataset& training, const TrainedNetwork& network) {
@@ -141,10 +171,7 @@ NetworkTask prepare_network(const Dataset& training, const Dataset& validation,
 Identification make_network_identification(std::string_view method, const NetworkTask& task,
                                            const IdentifyOptions& options, const Refinement& refinement) {
   const TrainingState& best = refinement.best;
-  if (!std::isfinite(best.training_rmse)) {
-    throw refusal(
-        fmt::format("{} found no network with a finite error: {}", method, best.termination.reason));
-  }
+  require_fit(method, task, best);
   TrainedNetwork network = task.network;
   network.weights = canonical_weights(task.shape, best.weights);
   const ProjectedCoefficients projected = project_onto_terms(network, task.training, task.found.identified);

@@ -20,6 +20,8 @@ TEST(PaperPreset, HasThePapersNumbers) {
   EXPECT_EQ(options.swarm.cognitive, 1.5);
   EXPECT_EQ(options.swarm.social, 1.5);
   EXPECT_EQ(options.swarm.topology, SwarmTopology::global);
+  EXPECT_EQ(options.swarm.update, SwarmUpdate::synchronous);
+  EXPECT_EQ(options.swarm.velocity_limit, 0.5);
   EXPECT_EQ(options.swarm.fitness, SwarmFitness::trained);
   EXPECT_EQ(options.swarm.fitness_epochs, 20U);
   EXPECT_EQ(options.swarm.refined, 1U);

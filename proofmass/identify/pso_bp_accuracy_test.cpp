@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the defaults of PSO-BP promise on the shipped twins; scripts/accuracy.sh measures more of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "proofmass/pipeline.hpp"
+#include "support/efficiency.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr std::uint64_t kSeeds = 3;
+
+Identification identify(std::string_view method, const Dataset& record, std::uint64_t seed) {
+  IdentifyOptions options;
+  options.terms = parse_terms("full");
+  options.seed = seed;
+  SilentProgress progress;
+  return run(record, find_method(method), options, {}, progress);
+}
+
+TEST(PsoBpOnTheTwin, ReachesTheFloorFromEverySeed) {
+  const SimulationPlan plan = test::shipped_plan("twin");
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const Dataset record = simulate(plan, plan.rows, seed);
+    EXPECT_LE(identify("pso-bp", record, seed).test->rmse, 1.05 * identify("ols", record, seed).test->rmse)
+        << "seed " << seed;
+  }
+}
+
+// The root mean square of 63 errors over their standard errors; scattering by a tenth is in its nature.
+TEST(PsoBpOnTheTwin, StatesStandardErrorsThatHold) {
+  const SimulationPlan plan = test::shipped_plan("twin-300ug");
+  const StaticModel truth = plan.truth();
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const Coefficient& c : identify("pso-bp", simulate(plan, plan.rows, seed), seed).coefficients) {
+      squares += std::pow((c.value - truth.coefficient(c.term)) / *c.standard_error, 2);
+      count += 1.0;
+    }
+  }
+  EXPECT_EQ(count, 21.0 * kSeeds);
+  EXPECT_GT(std::sqrt(squares / count), 0.8);
+  EXPECT_LT(std::sqrt(squares / count), 1.25);
+}
+
+}  // namespace
+}  // namespace proofmass
