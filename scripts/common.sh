@@ -3,8 +3,9 @@
 # What the other scripts share; sourced by them.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-cd "$root"
 reference_data=${PROOFMASS_REFERENCE_DATA:-$root/../shared/data}
+[[ $reference_data == /* ]] || reference_data=$PWD/$reference_data
+cd "$root"
 
 say() { printf '\n== %s\n' "$*"; }
 run() { printf '+ %s\n' "$*" && "$@"; }

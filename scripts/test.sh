@@ -67,6 +67,9 @@ total() {
   sed -n "s/.*[[:space:]<]$1=\"\([0-9]*\)\".*/\1/p" "${reports[@]}" | awk '{sum += $1} END {print sum + 0}'
 }
 
+# True when a test of this call was skipped for want of a part of the reference data.
+lacks_reference_data() { grep -qE '(no reference data at|reference data absent:) ' "${reports[@]}"; }
+
 say "Packages"
 scripts/install-packages.sh
 if [ ! -d "$reference_data" ]; then
@@ -85,9 +88,12 @@ if ! $quick; then
 fi
 
 say "Summary"
-for title in "${failed[@]}"; do echo "FAILED: $title"; done
 shopt -s nullglob
 reports=(build/*/ctest.xml)
+if [ "${CI-}" = true ] && [ ${#reports[@]} -gt 0 ] && lacks_reference_data; then
+  failed+=("Parts of the reference data at $reference_data are missing")
+fi
+for title in "${failed[@]}"; do echo "FAILED: $title"; done
 [ ${#reports[@]} -gt 0 ] || { echo "No test ran." && exit 1; }
 tests=$(total tests) failures=$(total failures) skipped=$(total skipped)
 echo "$((tests - failures - skipped)) passed, $failures failed, $skipped skipped"

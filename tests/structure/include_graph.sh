@@ -17,28 +17,32 @@ declare -A allowed=(
 bad=0
 complain() { printf '%s\n' "$*" && bad=1; }
 
-# quoted FILE: "LINE PATH" of each include in quotes.
-quoted() { sed -n 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*"\([^"]*\)".*/\1/p' "$1"; }
+# own_includes FILE: the path of each include in quotes, and of those in angle brackets that are ours.
+own_includes() {
+  sed -nE -e 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*"([^"]*)".*/\1/p' \
+    -e 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*<((proofmass|support)\/[^>]*)>.*/\1/p' "$1"
+}
 
 check_module() {
   local module=$1 file=$2 include target
   while read -r include; do
     case $include in
+      *..*) complain "$file: includes \"$include\"; write the path without .." && continue ;;
       proofmass/*/*) target=${include#proofmass/} target=${target%%/*} ;;
       proofmass/*) target=pipeline ;;
       support/*) target=tests ;;
       *) complain "$file: includes \"$include\"; write the whole path, \"proofmass/...\"" && continue ;;
     esac
     [[ " ${allowed[$module]} " == *" $target "* ]] || complain "$file: $module must not include $include"
-  done < <(quoted "$file")
+  done < <(own_includes "$file")
 }
 
 for folder in proofmass/*/; do
   module=$(basename "$folder")
   [ -n "${allowed[$module]-}" ] || { complain "$folder: a module that the include graph does not know" && continue; }
-  for file in "$folder"*.[ch]pp; do
-    [[ ! -e $file || $file == *_test.cpp ]] || check_module "$module" "$file"
-  done
+  while read -r file; do
+    check_module "$module" "$file"
+  done < <(find "$folder" -type f -regex '.*\.\(c\|cc\|cpp\|cpp\.in\|h\|hpp\|inc\)' ! -name '*_test.cpp')
 done
 
 mapfile -t public_headers < <(find proofmass -name '*.hpp' ! -name '*-inl.hpp' ! -name '*_internal.hpp')
