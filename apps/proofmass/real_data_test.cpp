@@ -2,27 +2,38 @@
 // Records that nobody simulated, read where they are.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "support/command_line.hpp"
 #include "support/nist.hpp"
 #include "support/reference_data.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace proofmass::test {
 namespace {
 
 using RealData = CommandLine;
 
+// A column of a table whose first row names the columns.
+std::vector<double> column(const std::vector<std::vector<std::string>>& table, const std::string& name) {
+  const auto at = std::find(table[0].begin(), table[0].end(), name) - table[0].begin();
+  std::vector<double> values;
+  for (std::size_t row = 1; row < table.size(); ++row) {
+    values.push_back(std::stod(table[row].at(static_cast<std::size_t>(at))));
+  }
+  return values;
+}
+
 // Each axis of a MEMS triad in turn as the input axis. With plus and minus one unit along three orthogonal
 // axes the columns of the linear model are orthogonal, so least squares are plain means and half differences.
 TEST_F(RealData, IdentifiesEveryAxisOfALabelledTriad) {
   const auto path = reference_data("positions/imucal_ferraris_6pos.csv");
   if (!path) GTEST_SKIP() << kNoReferenceData;
-  const std::array<std::array<double, 6>, 3> raw{
-      {{2039.635214, -2051.67295, 8.944141689, -20.19693396, -34.77866061, 10.8256705},
-       {-62.71303502, -30.2799246, 1991.56812, -2088.143868, -24.79001135, -121.3007663},
-       {13.93677043, -76.00377003, -55.8106267, -10.375, 2077.46765, -2135.400383}}};
   const std::array<std::string, 3> axes{"x", "y", "z"};
+  const auto table = cells(read_file(*path));
+  ASSERT_EQ(table.size(), 7U);
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string map = fmt::format("Ai=ref_g{0},Ao=ref_g{1},Ap=ref_g{2},E=a{0}_raw[counts]", axes[k],
                                         axes[(k + 1) % 3], axes[(k + 2) % 3]);
@@ -32,11 +43,9 @@ TEST_F(RealData, IdentifiesEveryAxisOfALabelledTriad) {
     EXPECT_NE(fit.out.find("Referred to input"), std::string::npos);
     const Json result = read_json("r.json");
     const auto value = [&result](std::size_t c) { return result["coefficients"][c]["value"].get<double>(); };
-    double mean = 0.0;
-    for (const double e : raw[k]) mean += e / 6;
-    const auto half_difference = [&](std::size_t axis) {
-      return (raw[k][2 * axis] - raw[k][2 * axis + 1]) / 2;
-    };
+    const std::vector<double> raw = column(table, "a" + axes[k] + "_raw");
+    const double mean = std::accumulate(raw.begin(), raw.end(), 0.0) / 6;
+    const auto half_difference = [&](std::size_t axis) { return (raw[2 * axis] - raw[2 * axis + 1]) / 2; };
     EXPECT_EQ(result["coefficients"][1]["unit"], "counts/g");
     EXPECT_NEAR(value(0), mean, 1e-9);
     EXPECT_NEAR(value(1), half_difference(k), 1e-9);
