@@ -5,77 +5,38 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "proofmass/numeric/random.hpp"
-#include "support/nist.hpp"
+#include "support/nist_linear.hpp"
+#include "support/reference_data.hpp"
 
 namespace proofmass {
 namespace {
 
-struct CertifiedSet {
-  std::string name;
-  bool intercept;
-  int degree;     // powers of the first predictor; 0: every predictor as it is
-  double digits;  // to be reached by the worst of coefficients and standard deviations
-};
-
-void PrintTo(const CertifiedSet& set, std::ostream* out) { *out << set.name; }
-
-Matrix make_design(const test::NistProblem& problem, const CertifiedSet& set) {
-  const std::size_t first = set.intercept ? 1 : 0;
-  const std::size_t columns = set.degree > 0 ? static_cast<std::size_t>(set.degree) : problem.x.size();
-  Matrix design(problem.y.size(), first + columns);
-  for (std::size_t r = 0; r < design.rows(); ++r) {
-    if (set.intercept) design(r, 0) = 1.0;
-    for (std::size_t c = 0; c < columns; ++c) {
-      design(r, first + c) =
-          set.degree > 0 ? std::pow(problem.x[0][r], static_cast<double>(c + 1)) : problem.x[c][r];
-    }
-  }
-  return design;
-}
-
-class NistLinear : public testing::TestWithParam<CertifiedSet> {};
+class NistLinear : public testing::TestWithParam<test::CertifiedSet> {};
 
 TEST_P(NistLinear, ReachesTheCertifiedDigits) {
-  const CertifiedSet& set = GetParam();
-  const auto path = std::filesystem::path(PROOFMASS_REFERENCE_DATA) / "nist" / "linear" / (set.name + ".dat");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "reference data absent: " << path;
-  const test::NistProblem problem = test::read_nist(path);
-  const LeastSquaresFit fit = solve_least_squares(make_design(problem, set), problem.y);
+  const test::CertifiedSet& set = GetParam();
+  const auto path = test::reference_data("nist/linear/" + set.name + ".dat");
+  if (!path) GTEST_SKIP() << test::kNoReferenceData;
+  const test::NistProblem problem = test::read_nist(*path);
+  const LeastSquaresFit fit = solve_least_squares(test::make_design(problem, set), problem.y);
 
   ASSERT_EQ(fit.coefficients.size(), problem.certified.size());
-  double coefficient_digits = 15.0;
-  double sd_digits = test::correct_digits(fit.residual_sd(), problem.residual_sd);
-  for (std::size_t k = 0; k < problem.certified.size(); ++k) {
-    const double sd = fit.residual_sd() * std::sqrt(fit.unscaled_covariance(k, k));
-    coefficient_digits =
-        std::min(coefficient_digits, test::correct_digits(fit.coefficients[k], problem.certified[k]));
-    // Wampler 1 and 2 are exact polynomials with certified deviations of zero: digits are then those of the
-    // absolute value, against coefficients of 1 and less.
-    sd_digits = std::min(sd_digits, test::correct_digits(sd, problem.certified_sd[k]));
-  }
-  RecordProperty("coefficient_digits", fmt::format("{:.1f}", coefficient_digits));
-  RecordProperty("standard_deviation_digits", fmt::format("{:.1f}", sd_digits));
+  const auto digits =
+      test::certified_digits(problem, fit.coefficients, fit.unscaled_covariance, fit.residual_sd());
+  RecordProperty("coefficient_digits", fmt::format("{:.1f}", digits.coefficients));
+  RecordProperty("standard_deviation_digits", fmt::format("{:.1f}", digits.standard_deviations));
   fmt::print("{:9} worst coefficient {:4.1f} digits, worst standard deviation {:4.1f}\n", set.name,
-             coefficient_digits, sd_digits);
-  EXPECT_GE(coefficient_digits, set.digits);
-  EXPECT_GE(sd_digits, set.digits);
+             digits.coefficients, digits.standard_deviations);
+  EXPECT_GE(digits.coefficients, set.digits);
+  EXPECT_GE(digits.standard_deviations, set.digits);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    AllSets, NistLinear,
-    testing::Values(CertifiedSet{"Filip", true, 10, 7.0}, CertifiedSet{"Longley", true, 0, 10.0},
-                    CertifiedSet{"NoInt1", false, 1, 13.0}, CertifiedSet{"NoInt2", false, 1, 13.0},
-                    CertifiedSet{"Norris", true, 1, 12.0}, CertifiedSet{"Pontius", true, 2, 12.0},
-                    CertifiedSet{"Wampler1", true, 5, 9.5}, CertifiedSet{"Wampler2", true, 5, 9.5},
-                    CertifiedSet{"Wampler3", true, 5, 9.5}, CertifiedSet{"Wampler4", true, 5, 7.5},
-                    CertifiedSet{"Wampler5", true, 5, 5.5}),
-    [](const auto& set) { return set.param.name; });
+INSTANTIATE_TEST_SUITE_P(AllSets, NistLinear, testing::ValuesIn(test::certified_sets()),
+                         [](const auto& set) { return set.param.name; });
 
 Matrix random_design(std::size_t rows, std::size_t columns, RandomStream& random) {
   Matrix design(rows, columns);

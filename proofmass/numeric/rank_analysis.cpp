@@ -3,9 +3,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "proofmass/numeric/column_scaling.hpp"
+#include "proofmass/numeric/gram_factor.hpp"
 #include "proofmass/numeric/triangular_accumulator.hpp"
 
 namespace proofmass {
@@ -67,6 +70,12 @@ std::vector<double> null_vector(const Eigen::MatrixXd& unit, const std::vector<I
 // Goes through the columns in order and keeps each that stays separable from those kept before.
 std::vector<Index> select_independent(const Eigen::MatrixXd& unit, double tolerance) {
   std::vector<Index> independent;
+  // Leaving columns out never makes a condition number larger, so that mostly one decides.
+  if (unit.rows() == unit.cols() && condition_number(unit) * tolerance < 1.0) {
+    independent.resize(static_cast<std::size_t>(unit.cols()));
+    std::iota(independent.begin(), independent.end(), Index{0});
+    return independent;
+  }
   for (Index c = 0; c < unit.cols(); ++c) {
     if (unit.col(c).squaredNorm() == 0.0 || signed_index(independent.size()) == unit.rows()) continue;
     const double condition = condition_number(with_candidate(unit, independent, c));
@@ -75,13 +84,14 @@ std::vector<Index> select_independent(const Eigen::MatrixXd& unit, double tolera
   return independent;
 }
 
-}  // namespace
+Eigen::Map<const Eigen::MatrixXd> as_eigen(const Matrix& matrix) {
+  return {matrix.data(), signed_index(matrix.rows()), signed_index(matrix.columns())};
+}
 
-RankAnalysis analyse_rank(const Matrix& design, double tolerance) {
-  if (design.rows() == 0 || design.columns() == 0) throw std::invalid_argument("the design matrix is empty");
-  const std::vector<double> scale_values = column_scales(design);
+// `factor` is R of the columns times `scales`.
+RankAnalysis analyse_factor(const Eigen::MatrixXd& factor, const std::vector<double>& scale_values,
+                            double tolerance) {
   const Eigen::Map<const Eigen::VectorXd> scales(scale_values.data(), signed_index(scale_values.size()));
-  const Eigen::MatrixXd factor = triangular_factor(design, scales);
   const Eigen::MatrixXd unit = with_unit_columns(factor);
   const std::vector<Index> independent = select_independent(unit, tolerance);
   RankAnalysis result;
@@ -98,6 +108,32 @@ RankAnalysis analyse_rank(const Matrix& design, double tolerance) {
     result.condition_scaled = condition_number(unit(Eigen::all, independent));
   }
   return result;
+}
+
+}  // namespace
+
+RankAnalysis analyse_rank(const Matrix& design, double tolerance) {
+  if (design.rows() == 0 || design.columns() == 0) throw std::invalid_argument("the design matrix is empty");
+  const std::vector<double> scales = column_scales(design);
+  const Eigen::Map<const Eigen::VectorXd> scaling(scales.data(), signed_index(scales.size()));
+  return analyse_factor(triangular_factor(design, scaling), scales, tolerance);
+}
+
+RankAnalysis analyse_rank(const GramMatrix& gram) {
+  if (gram.rows() == 0 || gram.regressors() == 0) throw std::invalid_argument("the design matrix is empty");
+  for (std::size_t c = 0; c < gram.regressors(); ++c) {
+    if (!std::isfinite(gram(c, c).value())) {
+      throw std::invalid_argument("the design matrix has an element that is not finite");
+    }
+  }
+  const GramFactor factor(gram);
+  std::vector<double> scales = factor.scales();
+  for (std::size_t c = 0; c < scales.size(); ++c) scales[c] *= gram.scales()[c];
+  return analyse_factor(as_eigen(factor.rounded()), scales, kRankTolerance);
+}
+
+double scaled_condition(const Matrix& matrix) {
+  return condition_number(with_unit_columns(as_eigen(matrix)));
 }
 
 }  // namespace proofmass

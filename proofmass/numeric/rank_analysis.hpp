@@ -8,6 +8,8 @@
 
 namespace proofmass {
 
+class GramMatrix;
+
 // Singular values of a matrix with unit-length columns below this share of the largest count as zero. It is
 // far above what rounding in the elements can cause (a few units of 2^-52) and far below NIST Filip's
 // smallest (1e-10), so only dependence at rounding level is rank loss. It does not grow with the number of
@@ -32,5 +34,13 @@ struct RankAnalysis {
 // the columns alone. Throws std::invalid_argument when the design is empty or has an element that is not
 // finite.
 [[nodiscard]] RankAnalysis analyse_rank(const Matrix& design, double tolerance = kRankTolerance);
+
+// The same of the regressors that a Gram matrix is of, without another look at the rows: by R from its
+// Cholesky factor in twice the working precision, which is as good as the one from the rows.
+[[nodiscard]] RankAnalysis analyse_rank(const GramMatrix& gram);
+
+// Largest over smallest singular value with columns scaled to unit length; infinity when the smallest is
+// zero.
+[[nodiscard]] double scaled_condition(const Matrix& matrix);
 
 }  // namespace proofmass

@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "proofmass/numeric/compensated.hpp"
+#include "proofmass/numeric/normal_solution.hpp"
+
 namespace proofmass {
 namespace {
 
@@ -57,6 +60,22 @@ WeightedFit solve_weighted_least_squares(const Matrix& design, std::span<const d
     residual = factors[r] > 0.0 ? residual / factors[r] : plain_residual(design, y, fit.coefficients, r);
     fit.rss += residual * residual;
   }
+  return fit;
+}
+
+WeightedFit solve_weighted_least_squares(const RegressionRows& rows, std::vector<double> weights) {
+  const WeightedRows weighted(rows, std::move(weights));
+  NormalSolution solution = solve_normal_equations(gram_matrix(weighted), weighted);
+  WeightedFit fit{.coefficients = std::move(solution.coefficients),
+                  .residuals = {},
+                  .rss = 0.0,
+                  .weighted_rss = solution.rss,
+                  .unscaled_covariance = std::move(solution.unscaled_covariance),
+                  .leverage = regression_leverages(weighted, solution.orthogonaliser)};
+  fit.residuals = regression_residuals(rows, fit.coefficients);
+  CompensatedSum sum;
+  for (const double residual : fit.residuals) sum.add_product(residual, residual);
+  fit.rss = sum.value();
   return fit;
 }
 

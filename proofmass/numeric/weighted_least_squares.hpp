@@ -6,6 +6,7 @@
 
 #include "proofmass/numeric/least_squares.hpp"
 #include "proofmass/numeric/matrix.hpp"
+#include "proofmass/numeric/regression_rows.hpp"
 
 namespace proofmass {
 
@@ -24,5 +25,10 @@ struct WeightedFit {
 // rank.
 [[nodiscard]] WeightedFit solve_weighted_least_squares(const Matrix& design, std::span<const double> y,
                                                        std::span<const double> weights);
+
+// The same from the normal equations in twice the working precision (normal_solution.hpp), in passes over the
+// rows that hold nothing but the figures of each row.
+[[nodiscard]] WeightedFit solve_weighted_least_squares(const RegressionRows& rows,
+                                                       std::vector<double> weights);
 
 }  // namespace proofmass

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/numeric/regression_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "proofmass/numeric/column_scaling.hpp"
+
+namespace proofmass {
+
+MatrixRows::MatrixRows(const Matrix& design, std::span<const double> y)
+    : design_(design), y_(y), scales_(column_scales(design)) {
+  if (y.size() != design.rows()) throw std::invalid_argument("a regression needs one y a row");
+  if (!std::all_of(y.begin(), y.end(), [](double value) { return std::isfinite(value); })) {
+    throw std::invalid_argument("the right-hand side has an element that is not finite");
+  }
+}
+
+void MatrixRows::fill(std::size_t first, std::size_t count, RowBlock& block) const {
+  for (std::size_t c = 0; c < design_.columns(); ++c) {
+    const auto part = design_.column(c).subspan(first, count);
+    std::transform(part.begin(), part.end(), block.column(c),
+                   [scale = scales_[c]](double value) { return scale * value; });
+  }
+  std::copy_n(y_.data() + first, count, block.column(design_.columns()));
+}
+
+WeightedRows::WeightedRows(const RegressionRows& rows, std::vector<double> weights)
+    : rows_(rows), factors_(std::move(weights)) {
+  if (factors_.size() != rows.rows()) throw std::invalid_argument("weighted rows need one weight each");
+  for (double& weight : factors_) {
+    if (!(weight >= 0.0) || !std::isfinite(weight)) {
+      throw std::invalid_argument("a weight must be finite and not negative");
+    }
+    weight = std::sqrt(weight);
+  }
+}
+
+void WeightedRows::fill(std::size_t first, std::size_t count, RowBlock& block) const {
+  rows_.fill(first, count, block);
+  const double* const factors = factors_.data() + first;
+  for (std::size_t c = 0; c < block.columns(); ++c) {
+    double* const column = block.column(c);
+    for (std::size_t r = 0; r < count; ++r) column[r] *= factors[r];
+  }
+}
+
+}  // namespace proofmass

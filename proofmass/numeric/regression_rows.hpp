@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "proofmass/numeric/matrix.hpp"
+#include "proofmass/numeric/samples.hpp"
+
+namespace proofmass {
+
+// A few rows as columns, one after the other in memory that stays in the first level of cache.
+class RowBlock {
+ public:
+  static constexpr std::size_t kRows = 128;
+
+  explicit RowBlock(std::size_t columns) : columns_(columns), data_(columns * kStride, 0.0) {}
+
+  [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+  // kRows values, the first on a cache line's start.
+  [[nodiscard]] double* column(std::size_t c) noexcept { return data_.data() + c * kStride; }
+  [[nodiscard]] const double* column(std::size_t c) const noexcept { return data_.data() + c * kStride; }
+
+ private:
+  static constexpr std::size_t kStride = kRows + 8;  // columns at whole KiB would share the cache's sets
+
+  std::size_t columns_ = 0;
+  AlignedColumn data_;
+};
+
+// The rows of a linear regression, made block by block when they are needed, so that nobody holds rows times
+// columns.
+class RegressionRows {
+ public:
+  RegressionRows() = default;
+  RegressionRows(const RegressionRows&) = delete;
+  RegressionRows& operator=(const RegressionRows&) = delete;
+  virtual ~RegressionRows() = default;
+
+  [[nodiscard]] virtual std::size_t rows() const noexcept = 0;
+  // Powers of two, one a regressor: what fill() writes is so many times the regressor, which keeps sums of
+  // squares within range.
+  [[nodiscard]] virtual std::span<const double> scales() const noexcept = 0;
+  // Writes rows first … first + count - 1 to the beginning of the block's columns, the response after the
+  // regressors. Any thread may ask.
+  virtual void fill(std::size_t first, std::size_t count, RowBlock& block) const = 0;
+
+  [[nodiscard]] std::size_t regressors() const noexcept { return scales().size(); }
+};
+
+// Those of a matrix in memory, which must outlive this, as must y. Throws std::invalid_argument when they
+// disagree in size or have an element that is not finite.
+class MatrixRows final : public RegressionRows {
+ public:
+  MatrixRows(const Matrix& design, std::span<const double> y);
+  [[nodiscard]] std::size_t rows() const noexcept override { return y_.size(); }
+  [[nodiscard]] std::span<const double> scales() const noexcept override { return scales_; }
+  void fill(std::size_t first, std::size_t count, RowBlock& block) const override;
+
+ private:
+  const Matrix& design_;
+  std::span<const double> y_;
+  std::vector<double> scales_;
+};
+
+// The rows of another, which must outlive this, times the square roots of weights: sums of squares over them
+// are weighted sums (Golub & Van Loan, Matrix Computations, 6.1). A weight of zero takes a row out. Throws
+// std::invalid_argument when a weight is negative or not finite, or there is not one for each row.
+class WeightedRows final : public RegressionRows {
+ public:
+  WeightedRows(const RegressionRows& rows, std::vector<double> weights);
+  [[nodiscard]] std::size_t rows() const noexcept override { return rows_.rows(); }
+  [[nodiscard]] std::span<const double> scales() const noexcept override { return rows_.scales(); }
+  void fill(std::size_t first, std::size_t count, RowBlock& block) const override;
+
+ private:
+  const RegressionRows& rows_;
+  std::vector<double> factors_;
+};
+
+}  // namespace proofmass
