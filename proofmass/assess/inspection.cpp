@@ -62,12 +62,13 @@ void add_repeats(Inspection& inspection, const Dataset& record) {
 }
 
 void add_presets(Inspection& inspection, const Dataset& record) {
+  const TermSums sums(record, parse_terms("full"));
   for (const char* preset : {"linear", "quadratic", "paper", "full"}) {
     const TermList terms = parse_terms(preset);
     inspection.presets.push_back({.name = preset,
                                   .terms = terms.size(),
                                   .rows_needed = terms.size() + 1,
-                                  .found = analyse_identifiability(record, terms)});
+                                  .found = analyse_identifiability(sums, terms)});
   }
 }
 

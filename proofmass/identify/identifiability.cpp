@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <span>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/design_matrix.hpp"
 #include "proofmass/numeric/rank_analysis.hpp"
 
 namespace proofmass {
@@ -27,16 +25,8 @@ TermList lower_orders_first(TermList terms) {
   return terms;
 }
 
-double largest_magnitude(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
-// The largest |Ai|, |Ao|, |Ap|, with zero for an axis that holds nothing but rounding beside the others.
-std::array<double, 3> axis_ranges(const Dataset& data) {
-  std::array<double, 3> ranges{};
-  for (const Axis axis : kAxes) ranges[static_cast<std::size_t>(axis)] = largest_magnitude(data.along(axis));
+// Zero for an axis that holds nothing but rounding beside the others.
+AxisRanges without_rounding(AxisRanges ranges) {
   const double overall = *std::max_element(ranges.begin(), ranges.end());
   for (double& range : ranges) range = range > kRoundingZero * overall ? range : 0.0;
   return ranges;
@@ -44,17 +34,16 @@ std::array<double, 3> axis_ranges(const Dataset& data) {
 
 // Makes columns zero that are so but for rounding; scaling to unit length would blow rounding up to a
 // regressor.
-void clear_rounding(Matrix& design, const TermList& terms, const std::array<double, 3>& ranges) {
+void clear_rounding(GramMatrix& gram, const TermList& terms, const AxisRanges& ranges) {
   for (std::size_t c = 0; c < terms.size(); ++c) {
+    if (!std::isnormal(gram.scales()[c])) throw std::invalid_argument("a regressor overflows");
     const double attainable = std::abs(regressor(terms[c], {.i = ranges[0], .o = ranges[1], .p = ranges[2]}));
-    const auto column = design.column(c);
-    if (largest_magnitude(column) <= kRoundingZero * attainable || attainable == 0.0) {
-      std::fill(column.begin(), column.end(), 0.0);
-    }
+    const double largest = std::max(-gram.least(c), gram.greatest(c)) / gram.scales()[c];
+    if (largest <= kRoundingZero * attainable || attainable == 0.0) gram.clear(c);
   }
 }
 
-std::string zero_reason(Term term, const Dataset& data, const std::array<double, 3>& ranges) {
+std::string zero_reason(Term term, const Dataset& data, const AxisRanges& ranges) {
   for (const Axis axis : kAxes) {
     if (info(term).uses(axis) && !data.has(axis)) {
       return fmt::format("the record has no column {}", axis_name(axis));
@@ -84,8 +73,7 @@ std::string confounded_reason(Term term, const TermList& others) {
                      product, products);
 }
 
-std::string loss_reason(const Unidentifiable& lost, const Dataset& data,
-                        const std::array<double, 3>& ranges) {
+std::string loss_reason(const Unidentifiable& lost, const Dataset& data, const AxisRanges& ranges) {
   if (lost.confounded_with.empty()) return zero_reason(lost.term, data, ranges);
   return confounded_reason(lost.term, lost.confounded_with);
 }
@@ -121,37 +109,45 @@ void require_rows(const Dataset& data, const TermList& terms) {
 constexpr double kLargestAcceleration = 1e40;  // g
 constexpr double kLargestOutput = 1e100;
 
-void require_size(const std::vector<double>& values, double limit, const Dataset& data,
-                  std::string_view column) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
+void require_size(double largest, double limit, const Dataset& data, std::string_view column) {
   if (largest == 0.0 || (largest <= limit && largest >= 1.0 / limit)) return;
   throw bad_data({.file = data.source, .row = 0, .column = std::string(column)},
                  fmt::format("values up to {:.3g}", largest),
                  fmt::format("values whose largest is between {:.0g} and {:.0g}", 1.0 / limit, limit));
 }
 
-void require_plausible_sizes(const Dataset& data) {
-  for (const Axis axis : data.axes())
-    require_size(data.along(axis), kLargestAcceleration, data, axis_name(axis));
-  require_size(data.output, kLargestOutput, data, "E");
+void require_plausible_sizes(const TermSums& sums) {
+  for (const Axis axis : sums.data().axes()) {
+    require_size(sums.ranges()[static_cast<std::size_t>(axis)], kLargestAcceleration, sums.data(),
+                 axis_name(axis));
+  }
+  if (sums.data().rows() == 0) return;
+  const std::size_t output = sums.terms().size();
+  require_size(std::max(-sums.gram().least(output), sums.gram().greatest(output)), kLargestOutput,
+               sums.data(), "E");
 }
 
-void require_varying_output(const Dataset& data) {
-  const auto [low, high] = std::minmax_element(data.output.begin(), data.output.end());
-  if (*low < *high) return;
-  throw bad_data({.file = data.source, .row = 0, .column = "E"}, fmt::format("{} in every row", *low),
+void require_varying_output(const TermSums& sums) {
+  const std::size_t output = sums.terms().size();
+  const double least = sums.gram().least(output);
+  if (least < sums.gram().greatest(output)) return;
+  throw bad_data({.file = sums.data().source, .row = 0, .column = "E"}, fmt::format("{} in every row", least),
                  "an output that varies with the input");
 }
 
 }  // namespace
 
 Identifiability analyse_identifiability(const Dataset& data, const TermList& terms) {
+  return analyse_identifiability(TermSums(data, terms), terms);
+}
+
+Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms) {
   const TermList ordered = lower_orders_first(terms);
-  Matrix design = design_matrix(data, ordered);
-  const auto ranges = axis_ranges(data);
-  clear_rounding(design, ordered, ranges);
-  const RankAnalysis analysis = analyse_rank(design);
+  const Dataset& data = sums.data();
+  const AxisRanges ranges = without_rounding(sums.ranges());
+  GramMatrix gram = sums.gram(ordered);
+  clear_rounding(gram, ordered, ranges);
+  const RankAnalysis analysis = analyse_rank(gram);
 
   Identifiability result{.identified = {},
                          .lost = {},
@@ -180,13 +176,17 @@ Identifiability analyse_identifiability(const Dataset& data, const TermList& ter
 }
 
 Identifiability require_identifiable(const Dataset& data, const TermList& terms, RankLossPolicy policy) {
-  if (terms.empty()) throw usage_error("no terms to identify; ask for at least one");
-  require_plausible_sizes(data);
-  require_rows(data, terms);
-  require_varying_output(data);
-  Identifiability found = analyse_identifiability(data, terms);
+  return require_identifiable(TermSums(data, terms), policy);
+}
+
+Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy) {
+  if (sums.terms().empty()) throw usage_error("no terms to identify; ask for at least one");
+  require_plausible_sizes(sums);
+  require_rows(sums.data(), sums.terms());
+  require_varying_output(sums);
+  Identifiability found = analyse_identifiability(sums, sums.terms());
   const bool refused = policy == RankLossPolicy::refuse ? !found.lost.empty() : found.identified.empty();
-  if (refused) throw refusal(loss_message(data, terms, found));
+  if (refused) throw refusal(loss_message(sums.data(), sums.terms(), found));
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/term.hpp"
+#include "proofmass/identify/term_sums.hpp"
 
 namespace proofmass {
 
@@ -29,6 +30,9 @@ struct Identifiability {
 // rows determine badly counts as identified, and its standard errors say how badly. The outputs play no part.
 [[nodiscard]] Identifiability analyse_identifiability(const Dataset& data, const TermList& terms);
 
+// The same without another look at the rows, for some of the terms summed.
+[[nodiscard]] Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms);
+
 enum class RankLossPolicy { refuse, drop };
 
 // The terms to fit. Throws a bad-data Error when the record has fewer rows than terms + 1 (saying how many
@@ -36,5 +40,8 @@ enum class RankLossPolicy { refuse, drop };
 // and the policy is refuse, or when none is left; a usage Error when `terms` is empty.
 [[nodiscard]] Identifiability require_identifiable(const Dataset& data, const TermList& terms,
                                                    RankLossPolicy policy);
+
+// The same for the terms summed, which the caller then fits from the same sums.
+[[nodiscard]] Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy);
 
 }  // namespace proofmass

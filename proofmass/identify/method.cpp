@@ -14,6 +14,7 @@
 #include "proofmass/identify/ols.hpp"
 #include "proofmass/identify/pso_bp.hpp"
 #include "proofmass/identify/robust.hpp"
+#include "proofmass/identify/term_rows.hpp"
 #include "proofmass/identify/tls.hpp"
 #include "proofmass/identify/wls.hpp"
 
@@ -75,9 +76,7 @@ std::vector<double> predict(const Identification& fit, const Dataset& inputs) {
       }
     }
   }
-  std::vector<double> outputs(inputs.rows());
-  for (std::size_t r = 0; r < outputs.size(); ++r) outputs[r] = model.output(inputs.at(r));
-  return outputs;
+  return static_outputs(model, inputs);
 }
 
 }  // namespace proofmass

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/design_matrix.hpp"
 #include "proofmass/identify/identifiability.hpp"
 #include "proofmass/identify/static_fit.hpp"
-#include "proofmass/numeric/least_squares.hpp"
+#include "proofmass/identify/term_sums.hpp"
+#include "proofmass/numeric/normal_solution.hpp"
 
 namespace proofmass {
 namespace {
@@ -26,10 +26,11 @@ Matrix scaled(Matrix matrix, double factor) {
 Identification identify_ols(const Dataset& training, const Dataset& /*validation*/,
                             const IdentifyOptions& options, Progress& progress) {
   progress.update("least squares", 0, 1);
-  const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
+  const TermSums sums(training, options.terms);
+  const Identifiability found = require_identifiable(sums, options.on_rank_loss);
   if (progress.cancelled())
     throw Error(ErrorKind::interrupted, "interrupted before the least-squares solution");
-  LeastSquaresFit solution = solve_least_squares(design_matrix(training, found.identified), training.output);
+  NormalSolution solution = solve_normal_equations(sums.gram(found.identified), sums.rows(found.identified));
   const double variance = solution.rss / static_cast<double>(solution.dof);
   const StaticFit fit{.coefficients = std::move(solution.coefficients),
                       .covariance = scaled(std::move(solution.unscaled_covariance), variance),
@@ -44,9 +45,11 @@ Identification identify_ols(const Dataset& training, const Dataset& /*validation
     result.diagnostics.notes.emplace_back(
         "sigma_E is not used: ordinary least squares weighs all rows alike");
   }
-  result.ending = {.status = EndingStatus::direct,
-                   .reason = fmt::format("solved directly by QR: {} rows, {} coefficients", training.rows(),
-                                         found.identified.size())};
+  result.ending = {
+      .status = EndingStatus::direct,
+      .reason = fmt::format("solved directly by normal equations in twice the working precision: {} "
+                            "rows, {} coefficients",
+                            training.rows(), found.identified.size())};
   progress.update("least squares", 1, 1);
   return result;
 }

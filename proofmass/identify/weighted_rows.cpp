@@ -12,8 +12,13 @@
 namespace proofmass {
 namespace {
 
+// The weight that a row must be above to count.
+double no_weight(std::span<const double> weights) {
+  return kNoWeight * *std::max_element(weights.begin(), weights.end());
+}
+
 std::vector<std::size_t> rows_with_weight(std::span<const double> weights) {
-  const double least = kNoWeight * *std::max_element(weights.begin(), weights.end());
+  const double least = no_weight(weights);
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < weights.size(); ++row) {
     if (weights[row] > least) rows.push_back(row);
@@ -35,8 +40,8 @@ Error weighted_refusal(const Dataset& data, const Identifiability& left, std::si
 
 Identifiability require_identifiable_by_weight(const Dataset& data, const Identifiability& found,
                                                std::span<const double> weights, RankLossPolicy policy) {
+  if (*std::min_element(weights.begin(), weights.end()) > no_weight(weights)) return found;
   const std::vector<std::size_t> rows = rows_with_weight(weights);
-  if (rows.size() == data.rows()) return found;
   Identifiability left = analyse_identifiability(data.select(rows), found.identified);
   if (left.lost.empty()) return found;
   if (policy == RankLossPolicy::refuse || left.identified.empty())

@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/design_matrix.hpp"
 #include "proofmass/identify/identifiability.hpp"
 #include "proofmass/identify/static_fit.hpp"
+#include "proofmass/identify/term_sums.hpp"
 #include "proofmass/identify/weighted_rows.hpp"
 #include "proofmass/numeric/growing_variance.hpp"
-#include "proofmass/numeric/least_squares.hpp"
-#include "proofmass/numeric/weighted_least_squares.hpp"
+#include "proofmass/numeric/normal_solution.hpp"
 
 namespace proofmass {
 namespace {
@@ -25,7 +24,9 @@ constexpr double kDoubt = 4.0;
 
 // A weighted fit, the variance that turns its unscaled covariance into the covariance, and what to say.
 struct Weighted {
-  WeightedFit fit;
+  std::vector<double> coefficients;
+  Matrix unscaled_covariance;
+  double rss = 0.0;  // all rows alike
   double variance = 0.0;
   Ending ending;
   std::vector<std::string> notes;
@@ -72,21 +73,29 @@ std::string chi_square_note(double ratio, double dof, ChiSquareScaling scaling) 
   return note;
 }
 
-Weighted fit_by_sigma(const Dataset& training, const TermList& terms, const std::vector<double>& weights,
+Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, const std::vector<double>& weights,
                       const WlsOptions& options) {
-  Weighted result;
-  result.fit = solve_weighted_least_squares(design_matrix(training, terms), training.output, weights);
+  const Dataset& training = sums.data();
+  const TermRows rows = sums.rows(terms);
+  const WeightedRows weighted(rows, weights);
+  NormalSolution solution = solve_normal_equations(gram_matrix(weighted), weighted);
   const auto dof = static_cast<double>(training.rows() - terms.size());
   // The variance that weight 1 stands for; any row tells it.
   const double unit_variance =
       weights.front() * training.output_sigma.front() * training.output_sigma.front();
-  const double ratio = result.fit.weighted_rss / dof / unit_variance;
+  const double ratio = solution.rss / dof / unit_variance;
+  Weighted result;
+  result.rss = residual_sum_of_squares(sums.gram(terms), rows, solution.coefficients);
+  result.coefficients = std::move(solution.coefficients);
+  result.unscaled_covariance = std::move(solution.unscaled_covariance);
   result.variance = options.scaling == ChiSquareScaling::given ? unit_variance : unit_variance * ratio;
   result.notes.emplace_back("weights are 1 / sigma_E² from the record");
   result.notes.push_back(chi_square_note(ratio, dof, options.scaling));
-  result.ending = {.status = EndingStatus::direct,
-                   .reason = fmt::format("solved directly by QR: {} weighted rows, {} coefficients",
-                                         training.rows(), terms.size())};
+  result.ending = {
+      .status = EndingStatus::direct,
+      .reason = fmt::format("solved directly by normal equations in twice the working precision: {} weighted "
+                            "rows, {} coefficients",
+                            training.rows(), terms.size())};
   return result;
 }
 
@@ -107,10 +116,10 @@ std::string axes_text(const Dataset& training) {
   return text;
 }
 
-Weighted fit_by_model(const Dataset& training, const TermList& terms, const WlsOptions& options) {
-  GrowingVarianceFit fit =
-      fit_growing_variance(design_matrix(training, terms), training.output, squared_magnitudes(training),
-                           {.iterations = options.iterations});
+Weighted fit_by_model(const TermSums& sums, const TermList& terms, const WlsOptions& options) {
+  const Dataset& training = sums.data();
+  GrowingVarianceFit fit = fit_growing_variance(sums.rows(terms), squared_magnitudes(training),
+                                                {.iterations = options.iterations});
   Weighted result;
   const std::string unit = training.output_unit.canonical_symbol();
   result.notes.push_back(fmt::format(
@@ -126,7 +135,9 @@ Weighted fit_by_model(const Dataset& training, const TermList& terms, const WlsO
   result.ending = {.status = fit.termination.cause == Cause::converged ? EndingStatus::converged
                                                                        : EndingStatus::iteration_limit,
                    .reason = std::move(fit.termination.reason)};
-  result.fit = std::move(fit.fit);
+  result.coefficients = std::move(fit.fit.coefficients);
+  result.unscaled_covariance = std::move(fit.fit.unscaled_covariance);
+  result.rss = fit.fit.rss;
   return result;
 }
 
@@ -138,14 +149,14 @@ bool uses_sigma(const Dataset& training, WeightSource source) {
   return source != WeightSource::model && !training.output_sigma.empty();
 }
 
-StaticFit static_fit(const Dataset& training, const TermList& terms, const Weighted& weighted) {
-  Matrix covariance = weighted.fit.unscaled_covariance;
+StaticFit static_fit(const TermSums& sums, const TermList& terms, const Weighted& weighted) {
+  Matrix covariance = weighted.unscaled_covariance;
   for (std::size_t c = 0; c < covariance.columns(); ++c) {
     for (double& value : covariance.column(c)) value *= weighted.variance;
   }
-  return {.coefficients = weighted.fit.coefficients,
+  return {.coefficients = weighted.coefficients,
           .covariance = std::move(covariance),
-          .vif = solve_least_squares(design_matrix(training, terms), training.output).vif};
+          .vif = variance_inflation(sums.gram(terms))};
 }
 
 }  // namespace
@@ -154,21 +165,22 @@ Identification identify_wls(const Dataset& training, const Dataset& /*validation
                             const IdentifyOptions& options, Progress& progress) {
   progress.update("weighted least squares", 0, 1);
   const bool by_sigma = uses_sigma(training, options.wls.weights);
-  Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
+  const TermSums sums(training, options.terms);
+  Identifiability found = require_identifiable(sums, options.on_rank_loss);
   if (progress.cancelled())
     throw Error(ErrorKind::interrupted, "interrupted before the weighted least-squares solution");
   Weighted weighted;
   if (by_sigma) {
     const std::vector<double> weights = sigma_weights(training);
     found = require_identifiable_by_weight(training, found, weights, options.on_rank_loss);
-    weighted = fit_by_sigma(training, found.identified, weights, options.wls);
+    weighted = fit_by_sigma(sums, found.identified, weights, options.wls);
   } else {
-    weighted = fit_by_model(training, found.identified, options.wls);
+    weighted = fit_by_model(sums, found.identified, options.wls);
   }
 
   Identification result =
-      make_identification("wls", training, options, found, static_fit(training, found.identified, weighted));
-  add_residual_figures(result.diagnostics, training, weighted.fit.rss, found.identified.size());
+      make_identification("wls", training, options, found, static_fit(sums, found.identified, weighted));
+  add_residual_figures(result.diagnostics, training, weighted.rss, found.identified.size());
   auto& notes = result.diagnostics.notes;
   notes.insert(notes.end(), weighted.notes.begin(), weighted.notes.end());
   notes.emplace_back(

@@ -8,6 +8,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/ols.hpp"
+#include "proofmass/numeric/parallel.hpp"
 #include "support/efficiency.hpp"
 #include "support/twin.hpp"
 
@@ -78,6 +79,25 @@ TEST(Wls, RowsOfLargeSigmaCountLittle) {
   record.output[7] += 1.0;
   record.output_sigma[7] = 1e3;
   EXPECT_NEAR(fit(record).coefficients[1].value, 1.0, 1e-12);
+}
+
+TEST(Wls, ManyRowsGiveTheSameBitsOnAnyThreads) {
+  Dataset record = test::make_twin({.rows = 20'000});
+  const auto with_threads = [&record](std::size_t threads, WeightSource source) {
+    const ThreadLimit limit(threads);
+    return fit(record, {.weights = source}, "quadratic");
+  };
+  for (std::size_t row = 0; row < record.rows(); ++row)
+    record.output_sigma.push_back(row % 3 == 0 ? 2e-4 : 4e-4);
+  for (const WeightSource source : {WeightSource::sigma, WeightSource::model}) {
+    const Identification once = with_threads(1, source);
+    const Identification again = with_threads(2, source);
+    for (std::size_t k = 0; k < once.coefficients.size(); ++k) {
+      EXPECT_EQ(once.coefficients[k].value, again.coefficients[k].value);
+    }
+    EXPECT_EQ(once.covariance, again.covariance);
+    EXPECT_EQ(once.diagnostics.residual_sd, again.diagnostics.residual_sd);
+  }
 }
 
 TEST(Wls, RefusesMissingAndWrongSigmas) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "proofmass/numeric/matrix.hpp"
+#include "proofmass/numeric/regression_rows.hpp"
 #include "proofmass/numeric/termination.hpp"
 #include "proofmass/numeric/weighted_least_squares.hpp"
 
@@ -30,8 +30,11 @@ struct GrowingVarianceFit {
 // feasible generalised least squares: coefficients with the variances held, then the share of the growing
 // part from the exact REML score with residuals and leverages held. The variance at growth 0 is kept above
 // 1e-6 of the mean, so that no row gets an unbounded weight. `growth` is not negative, one value a row; when
-// it does not vary the slope is zero. Needs more rows than columns. Throws std::invalid_argument as
-// solve_weighted_least_squares does.
+// it does not vary the slope is zero. A round makes a few passes over the rows and holds a few figures a row.
+// Needs more rows than regressors. Throws std::invalid_argument as solve_weighted_least_squares does.
+[[nodiscard]] GrowingVarianceFit fit_growing_variance(const RegressionRows& rows,
+                                                      std::span<const double> growth,
+                                                      const GrowingVarianceOptions& options = {});
 [[nodiscard]] GrowingVarianceFit fit_growing_variance(const Matrix& design, std::span<const double> y,
                                                       std::span<const double> growth,
                                                       const GrowingVarianceOptions& options = {});
