@@ -11,8 +11,9 @@
 #include "proofmass/identify/gmdh_forms.hpp"
 #include "proofmass/identify/identifiability.hpp"
 #include "proofmass/identify/static_fit.hpp"
+#include "proofmass/identify/term_sums.hpp"
 #include "proofmass/numeric/column_scaling.hpp"
-#include "proofmass/numeric/least_squares.hpp"
+#include "proofmass/numeric/normal_solution.hpp"
 #include "proofmass/numeric/subset_search.hpp"
 
 namespace proofmass {
@@ -58,7 +59,7 @@ TermList chosen_terms(const TermList& candidates, Subset subset) {
   return chosen;
 }
 
-StaticFit refit(const LeastSquaresFit& solution) {
+StaticFit refit(const NormalSolution& solution) {
   StaticFit fit{
       .coefficients = solution.coefficients, .covariance = solution.unscaled_covariance, .vif = solution.vif};
   const double variance = solution.rss / static_cast<double>(solution.dof);
@@ -112,15 +113,16 @@ std::string ending_reason(const SubsetSearchResult& found, std::size_t candidate
 
 Identification identify_gmdh_combi(const Dataset& training, const IdentifyOptions& options,
                                    Progress& progress) {
-  const Identifiability all = require_identifiable(training, options.terms, options.on_rank_loss);
+  const TermSums sums(training, options.terms);
+  const Identifiability all = require_identifiable(sums, options.on_rank_loss);
   const GmdhRows rows(training, all.identified, options.gmdh, options.seed);
   const auto criterion = rows.criterion(scaled_design(training, all.identified), training.output);
   const SubsetSearchResult found = choose(*criterion, training, options.gmdh, progress);
 
   const TermList chosen = chosen_terms(all.identified, found.best);
-  Identifiability kept = analyse_identifiability(training, chosen);
+  Identifiability kept = analyse_identifiability(sums, chosen);
   kept.lost = all.lost;
-  const LeastSquaresFit solution = solve_least_squares(design_matrix(training, chosen), training.output);
+  const NormalSolution solution = solve_normal_equations(sums.gram(chosen), sums.rows(chosen));
   Identification result = make_identification("gmdh", training, options, kept, refit(solution));
   explain_left_out(result, all.identified, *criterion, found);
   add_residual_figures(result.diagnostics, training, solution.rss, chosen.size());
