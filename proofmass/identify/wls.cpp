@@ -73,16 +73,16 @@ std::string chi_square_note(double ratio, double dof, ChiSquareScaling scaling) 
   return note;
 }
 
-Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, const std::vector<double>& weights,
+Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<double> weights,
                       const WlsOptions& options) {
   const Dataset& training = sums.data();
-  const TermRows rows = sums.rows(terms);
-  const WeightedRows weighted(rows, weights);
-  NormalSolution solution = solve_normal_equations(gram_matrix(weighted), weighted);
-  const auto dof = static_cast<double>(training.rows() - terms.size());
   // The variance that weight 1 stands for; any row tells it.
   const double unit_variance =
       weights.front() * training.output_sigma.front() * training.output_sigma.front();
+  const TermRows rows = sums.rows(terms);
+  const WeightedRows weighted(rows, std::move(weights));
+  NormalSolution solution = solve_normal_equations(gram_matrix(weighted), weighted);
+  const auto dof = static_cast<double>(training.rows() - terms.size());
   const double ratio = solution.rss / dof / unit_variance;
   Weighted result;
   result.rss = residual_sum_of_squares(sums.gram(terms), rows, solution.coefficients);
@@ -171,9 +171,9 @@ Identification identify_wls(const Dataset& training, const Dataset& /*validation
     throw Error(ErrorKind::interrupted, "interrupted before the weighted least-squares solution");
   Weighted weighted;
   if (by_sigma) {
-    const std::vector<double> weights = sigma_weights(training);
+    std::vector<double> weights = sigma_weights(training);
     found = require_identifiable_by_weight(training, found, weights, options.on_rank_loss);
-    weighted = fit_by_sigma(sums, found.identified, weights, options.wls);
+    weighted = fit_by_sigma(sums, found.identified, std::move(weights), options.wls);
   } else {
     weighted = fit_by_model(sums, found.identified, options.wls);
   }

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLargestShare = 1.0 - 1e-6;
 constexpr double kEvenGrowth = 1e-9;  // relative spread below which growth counts as the same in every row
+constexpr double kNear = 1e-3;        // by how much a round may move the share, relative to it
 constexpr int kTrials = 100;          // of a share; a dozen find it to the last digits
 
 // Relative variance 1 - share + share * growth / mean growth: its mean is 1.
@@ -51,14 +52,29 @@ class VarianceShape {
 struct ScoreSums {
   CompensatedSum squares, pull, expected;
 
-  void add(double square, double leverage, double slope, double u) {
-    const double inverse = 1.0 / u;
-    const double weighted = square * inverse;
-    squares.add(weighted);
-    pull.add(slope * weighted * inverse);
-    expected.add(slope * (1.0 - leverage) * inverse);
+  void add(const ScoreSums& other) {
+    squares.add(other.squares.value());
+    pull.add(other.pull.value());
+    expected.add(other.expected.value());
   }
 };
+
+// A few rows at a time, whose sums need no more than doubles.
+ScoreSums score_sums(const VarianceShape& shape, const WeightedFit& fit, double share, std::size_t first,
+                     std::size_t last) {
+  double squares = 0.0;
+  double pull = 0.0;
+  double expected = 0.0;
+  for (std::size_t row = first; row < last; ++row) {
+    const double inverse = 1.0 / shape.at(row, share);
+    const double slope = shape.slope(row) * inverse;
+    const double weighted = fit.residuals[row] * fit.residuals[row] * inverse;
+    squares += weighted;
+    pull += slope * weighted;
+    expected += slope * (1.0 - fit.leverage[row]);
+  }
+  return {{squares}, {pull}, {expected}};
+}
 
 // Derivative of the restricted log-likelihood by the share, the common factor of the variances at its
 // maximum: sum of slope * (residual² / (factor u²) - (1 - leverage) / u).
@@ -66,47 +82,49 @@ double share_score(const VarianceShape& shape, const WeightedFit& fit, double do
   const std::size_t rows = fit.residuals.size();
   std::vector<ScoreSums> parts(row_shares(rows));
   for_each_row_share(rows, [&](std::size_t part, std::size_t first, std::size_t last) {
-    ScoreSums sums;
-    for (std::size_t row = first; row < last; ++row) {
-      sums.add(fit.residuals[row] * fit.residuals[row], fit.leverage[row], shape.slope(row),
-               shape.at(row, share));
+    for (std::size_t row = first; row < last; row += RowBlock::kRows) {
+      parts[part].add(score_sums(shape, fit, share, row, std::min(row + RowBlock::kRows, last)));
     }
-    parts[part] = sums;
   });
   ScoreSums total;
-  for (const ScoreSums& part : parts) {
-    total.squares.add(part.squares.value());
-    total.pull.add(part.pull.value());
-    total.expected.add(part.expected.value());
-  }
+  for (const ScoreSums& part : parts) total.add(part);
   const double factor = total.squares.value() / dof;
   return factor > 0.0 ? total.pull.value() / factor - total.expected.value() : 0.0;
 }
 
-// The root of the score by regula falsi in the Illinois form (Dowell & Jarratt, BIT 11, 1971).
-double best_share(const VarianceShape& shape, const WeightedFit& fit, double dof) {
+// Two shares between which the score changes its sign, and the scores there.
+struct Bracket {
+  double low, high;
+  double score_low, score_high;
+  int side = 0;  // which end moved last
+
+  [[nodiscard]] double between() const { return low + (high - low) * (score_low / (score_low - score_high)); }
+  // Regula falsi in the Illinois form (Dowell & Jarratt, BIT 11, 1971): an end that stays twice counts half.
+  void narrow(double share, double score) {
+    const int moved = score > 0.0 ? 1 : -1;
+    if (moved == side) (score > 0.0 ? score_high : score_low) *= 0.5;
+    (score > 0.0 ? low : high) = share;
+    (score > 0.0 ? score_low : score_high) = score;
+    side = moved;
+  }
+};
+
+// The root of the score; `guess`, unless zero, is tried first from both sides.
+double best_share(const VarianceShape& shape, const WeightedFit& fit, double dof, double guess) {
   const auto score = [&](double share) { return share_score(shape, fit, dof, share); };
-  double low = 0.0;
-  double high = kLargestShare;
-  double score_low = score(low);
-  if (score_low <= 0.0) return low;
-  double score_high = score(high);
-  if (score_high >= 0.0) return high;
-  double share = low;
-  for (int trial = 0, side = 0; trial < kTrials; ++trial) {
-    const double next = low + (high - low) * (score_low / (score_low - score_high));
+  Bracket bracket{
+      .low = 0.0, .high = kLargestShare, .score_low = score(0.0), .score_high = score(kLargestShare)};
+  if (bracket.score_low <= 0.0) return bracket.low;
+  if (bracket.score_high >= 0.0) return bracket.high;
+  for (const double near : {guess * (1.0 - kNear), guess * (1.0 + kNear)}) {
+    if (near > bracket.low && near < bracket.high) bracket.narrow(near, score(near));
+  }
+  double share = guess;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const double next = bracket.between();
     if (!(std::abs(next - share) > 0x1p-50 * next)) return next;
     share = next;
-    const double value = score(share);
-    if (value == 0.0) return share;
-    double& end = value > 0.0 ? low : high;
-    double& score_end = value > 0.0 ? score_low : score_high;
-    double& score_other = value > 0.0 ? score_high : score_low;
-    const int side_now = value > 0.0 ? 1 : -1;
-    if (side_now == side) score_other *= 0.5;
-    end = share;
-    score_end = value;
-    side = side_now;
+    bracket.narrow(share, score(share));
   }
   return share;
 }
@@ -127,7 +145,7 @@ GrowingVarianceFit fit_growing_variance(const RegressionRows& rows, std::span<co
   result.fit = solve_weighted_least_squares(rows, shape.weights(share));
   do {
     if (!varies) break;
-    const double next = best_share(shape, result.fit, dof);
+    const double next = best_share(shape, result.fit, dof, share);
     step = std::abs(next - share);
     share = next;
     result.fit = solve_weighted_least_squares(rows, shape.weights(share));
