@@ -107,4 +107,28 @@ void require_folder_of(const fs::path& file) {
   }
 }
 
+void require_writable_file(const fs::path& file) {
+  require_folder_of(file);
+  if (file.empty() || file == "-") return;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
+    OutputFiles().add(file, {});
+  } else if (access(file.c_str(), W_OK) != 0) {
+    throw usage_error(
+        fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(errno)));
+  }
+}
+
+void require_writable_folder(const fs::path& folder) {
+  if (folder.empty()) return;
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
+    throw usage_error(fmt::format("--out: '{}' is not a folder", folder.string()));
+  }
+  OutputFiles attempt;
+  attempt.make_folder(folder);
+  attempt.add(folder / ".proofmass", {});
+}
+
 }  // namespace proofmass::cli

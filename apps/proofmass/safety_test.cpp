@@ -44,6 +44,23 @@ TEST_F(Safety, AFailureTakesTheFoldersItMadeWithIt) {
   expect_failure(ask("run.csv/results"), 2, {"run.csv/results", "cannot make the folder"});
 }
 
+TEST_F(Safety, PlacesThatCannotBeWrittenAreFoundBeforeTheComputation) {
+  // Methods that would run for days.
+  const std::string record = make_record();
+  const std::vector<std::string> endless{"--particles", "100000", "--iterations", "10000000"};
+  const auto fails = [&](std::vector<std::string> command, const std::string& place) {
+    command.insert(command.end(), endless.begin(), endless.end());
+    expect_failure(proofmass(std::move(command)), 2, {place});
+  };
+  fails({"identify", record, "--method", "pso-bp", "--json", "/proc/x.json"}, "/proc/x.json");
+  fails({"identify", record, "--method", "pso-bp", "--out", record + "/results"}, "run.csv/results");
+  fails({"compare", record, "--methods", "pso-bp", "--json", "/proc/x.json"}, "/proc/x.json");
+  fails({"compare", record, "--methods", "pso-bp", "--json", at("")}, "annot write");
+  fails({"identify", record, "--method", "pso-bp", "--json", at("new"), "--out", "/proc/nowhere"},
+        "/proc/nowhere");
+  EXPECT_EQ(names(), std::vector<std::string>{"run.csv"});
+}
+
 TEST_F(Safety, TheExitCodeSurvivesAClosedStandardError) {
   EXPECT_EQ(shell("$P identify " + at("none.csv") + " 2>&-").exit_code, 3);
   EXPECT_EQ(shell("$P identify " + at("none.csv") + " 2>/dev/full").exit_code, 3);

@@ -64,7 +64,7 @@ void add_provenance(Comparison& comparison, const Dataset& record, const Identif
 void run_compare(const CompareFlags& flags) {
   const std::vector<Entry> entries = entries_of(flags);
   const auto columns = renames(flags.map);
-  require_folder_of(flags.json);
+  require_writable_file(flags.json);
   require_other_file(flags.json, {flags.record, flags.truth});
   std::optional<SimulationPlan> truth;
   if (!flags.truth.empty()) truth = read_simulation(flags.truth);

@@ -5,7 +5,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "common_flags.hpp"
@@ -89,16 +88,14 @@ void write_result(const Identification& result, const Dataset& record, const Ide
 }
 
 void require_writable(const VerbFlags& flags) {
-  require_folder_of(flags.json);
+  require_writable_file(flags.json);
   require_other_file(flags.json, {flags.record});
   if (!flags.out.empty()) {
     for (const char* name : {"result.json", "predictions.csv", "history.csv"}) {
       require_other_file(fs::path(flags.out) / name, {flags.record});
     }
   }
-  std::error_code ignored;
-  if (flags.out.empty() || !fs::exists(flags.out, ignored) || fs::is_directory(flags.out, ignored)) return;
-  throw usage_error(fmt::format("--out: '{}' is not a folder", flags.out));
+  require_writable_folder(flags.out);
 }
 
 void run_identify(const VerbFlags& flags) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -9,7 +7,6 @@
 #include "console_progress.hpp"
 #include "interrupts.hpp"
 #include "output.hpp"
-#include "proofmass/core/error.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/report/reproduction.hpp"
 #include "proofmass/reproduce.hpp"
@@ -29,10 +26,7 @@ struct ReproduceFlags {
 };
 
 void run_reproduce(const ReproduceFlags& flags) {
-  std::error_code ignored;
-  if (!flags.out.empty() && fs::exists(flags.out, ignored) && !fs::is_directory(flags.out, ignored)) {
-    throw usage_error(fmt::format("--out: '{}' is not a folder", flags.out));
-  }
+  require_writable_folder(flags.out);
   const InterruptGuard guard;
   const ThreadLimit limit(flags.common.threads);
   ReproduceOptions options = flags.quick ? quick_reproduction() : ReproduceOptions{};

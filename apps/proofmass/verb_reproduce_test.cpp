@@ -15,6 +15,9 @@ TEST_F(ReproduceVerb, RefusesWhatMakesNoSense) {
   expect_failure(proofmass({"reproduce", "twin.toml"}), 2, {"twin.toml"});
   const std::string file = write("taken", "text");
   expect_failure(proofmass({"reproduce", "--out", file}), 2, {"--out", "taken", "not a folder"});
+  expect_failure(proofmass({"reproduce", "--out", file + "/sub/folder"}), 2, {"taken/sub/folder"});
+  expect_failure(proofmass({"reproduce", "--out", "/proc/nowhere"}), 2, {"/proc/nowhere"});
+  expect_failure(proofmass({"reproduce", "--out", "/proc"}), 2, {"/proc"});
   EXPECT_EQ(names(), std::vector<std::string>{"taken"});
 }
 

@@ -28,7 +28,7 @@ struct SimulateFlags {
 
 void run_simulate(const SimulateFlags& flags) {
   require_other_file(flags.out, {flags.plan});
-  require_folder_of(flags.out);
+  require_writable_file(flags.out);
   SimulationPlan plan = read_simulation(flags.plan);
   if (flags.rows) plan.rows = *flags.rows;
   if (flags.seed) plan.seed = *flags.seed;
