@@ -107,12 +107,16 @@ VectorXd leverage_weights(const Problem& problem) {
   return prior;
 }
 
-State robust_start(const Problem& problem) {
+using KeepGoing = std::function<bool()>;
+
+bool asked_to_stop(const KeepGoing& keep_going) { return keep_going && !keep_going(); }
+
+State robust_start(const Problem& problem, const KeepGoing& keep_going) {
   State state{.shift = VectorXd::Zero(problem.basis.cols()),
               .residuals = problem.remainder,
               .weights = VectorXd::Ones(problem.basis.rows())};
   const VectorXd prior = leverage_weights(problem);
-  while (state.iterations < kStartIterations) {
+  while (state.iterations < kStartIterations && !asked_to_stop(keep_going)) {
     const double scale = scale_of(problem, state);
     reweight(problem, kStartLoss, scale, prior, state);
     if (state.rank_lost || state.step <= kStartTolerance * scale) break;
@@ -134,11 +138,15 @@ std::pair<RobustLoss, double> tuned_loss(const Problem& problem, const State& st
 }
 
 void iterate(const Problem& problem, const RobustOptions& options, double scale, const RobustLoss& loss,
-             State& state, Termination& termination) {
+             State& state, Termination& termination, const KeepGoing& keep_going) {
   const VectorXd prior = VectorXd::Ones(problem.basis.rows());
   const double enough = std::max(options.tolerance * scale, problem.rounding);
   const std::size_t limit = state.iterations + options.iterations;
   do {
+    if (asked_to_stop(keep_going)) {
+      termination = {.cause = Cause::stopped, .reason = "stopped on request"};
+      return;
+    }
     reweight(problem, loss, scale, prior, state);
   } while (!state.rank_lost && state.step > enough && state.iterations < limit);
   const bool converged = state.step <= enough;
@@ -191,16 +199,18 @@ void finish(const Matrix& design, std::span<const double> y, const Problem& prob
 
 }  // namespace
 
-RobustFit fit_robustly(const Matrix& design, std::span<const double> y, const RobustOptions& options) {
+RobustFit fit_robustly(const Matrix& design, std::span<const double> y, const RobustOptions& options,
+                       const std::function<bool()>& keep_going) {
   if (design.rows() <= design.columns()) {
     throw std::invalid_argument("a robust fit needs more rows than columns");
   }
   const Problem problem = make_problem(design, y);
-  State state = robust_start(problem);
+  State state = robust_start(problem, keep_going);
   RobustFit fit;
   for (int round = 0; round < kRounds && !state.rank_lost; ++round) {
     std::tie(fit.loss, fit.loss_scale) = tuned_loss(problem, state, options);
-    iterate(problem, options, fit.loss_scale, fit.loss, state, fit.termination);
+    iterate(problem, options, fit.loss_scale, fit.loss, state, fit.termination, keep_going);
+    if (fit.termination.cause == Cause::stopped) return fit;
   }
   fit.weights.assign(state.weights.begin(), state.weights.end());
   fit.vif = problem.vif;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,7 +46,10 @@ struct RobustFit {
 // K² [sum psi² / (n - p)] scale² / (mean psi')² (XᵀX)⁻¹, K = 1 + p/n var(psi') / (mean psi')². The scale is
 // kept above rounding of y, so exact data are fitted exactly. The design must have full column rank and
 // more rows than columns, else std::invalid_argument.
+// It is asked before every reweighting whether to go on; once not, it ends with cause stopped, and the rest
+// of the result is of no use.
 [[nodiscard]] RobustFit fit_robustly(const Matrix& design, std::span<const double> y,
-                                     const RobustOptions& options = {});
+                                     const RobustOptions& options = {},
+                                     const std::function<bool()>& keep_going = {});
 
 }  // namespace proofmass

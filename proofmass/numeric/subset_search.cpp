@@ -14,7 +14,8 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kReportEvery = 256;
+// Few, for a value may take long where the rows are many.
+constexpr std::size_t kReportEvery = 16;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr Subset bit(std::size_t k) { return Subset{1} << k; }
@@ -85,9 +86,11 @@ bool Explorer::pointless(std::size_t columns) const {
 }
 
 void Explorer::compute_all(const std::vector<Subset>& subsets) {
-  std::vector<double> values(subsets.size());
-  parallel_for(subsets.size(), [&](std::size_t k) { values[k] = compute(subsets[k]); });
-  for (std::size_t k = 0; k < subsets.size(); ++k) record(subsets[k], values[k]);
+  for (std::size_t first = 0; first < subsets.size() && !ended_; first += kReportEvery) {
+    std::vector<double> values(std::min(kReportEvery, subsets.size() - first));
+    parallel_for(values.size(), [&](std::size_t k) { values[k] = compute(subsets[first + k]); });
+    for (std::size_t k = 0; k < values.size(); ++k) record(subsets[first + k], values[k]);
+  }
 }
 
 void Explorer::search_backwards() {
@@ -103,6 +106,7 @@ void Explorer::search_backwards() {
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     compute_all(next);
+    if (ended_) return;
     std::sort(next.begin(), next.end(), [this](Subset a, Subset b) {
       return Ranked{known_.at(a), a} < Ranked{known_.at(b), b};
     });
