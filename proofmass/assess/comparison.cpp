@@ -37,6 +37,10 @@ std::optional<MetricSpreads> spreads_of(const std::vector<Identification>& runs,
                        .r2 = maybe(&Metrics::r2)};
 }
 
+std::optional<double> ratio_of(const Spread& value, const Spread& reference) {
+  return reference.mean > 0.0 ? std::optional(value.mean / reference.mean) : std::nullopt;
+}
+
 // A running root mean square.
 struct RootMeanSquare {
   double sum = 0.0;
@@ -67,10 +71,22 @@ void summarise(Contestant& contestant) {
   contestant.train = spreads_of(contestant.runs, &Identification::train);
   contestant.test = spreads_of(contestant.runs, &Identification::test);
   contestant.time = spread_of(contestant.seconds);
-  contestant.epochs = spread_over(contestant.runs, [](const Identification& run) -> std::optional<double> {
-    if (!run.diagnostics.training_epochs) return std::nullopt;
-    return static_cast<double>(*run.diagnostics.training_epochs);
-  });
+  contestant.iterations =
+      spread_over(contestant.runs, [](const Identification& run) -> std::optional<double> {
+        if (!run.diagnostics.iterations) return std::nullopt;
+        return static_cast<double>(*run.diagnostics.iterations);
+      });
+}
+
+CostRatios ratios_to(const Contestant& reference, const Contestant& contestant) {
+  CostRatios ratios{.iterations = {}, .time = ratio_of(contestant.time, reference.time), .test_mse = {}};
+  if (contestant.iterations && reference.iterations) {
+    ratios.iterations = ratio_of(*contestant.iterations, *reference.iterations);
+  }
+  if (contestant.test && reference.test) {
+    ratios.test_mse = ratio_of(contestant.test->mse, reference.test->mse);
+  }
+  return ratios;
 }
 
 TruthScore score_against(const StaticModel& truth, std::span<const Identification> runs,
@@ -81,8 +97,8 @@ TruthScore score_against(const StaticModel& truth, std::span<const Identificatio
   for (std::size_t r = 0; r < runs.size(); ++r) {
     for (std::size_t k = 0; k < runs[r].coefficients.size(); ++k) {
       const Coefficient& c = runs[r].coefficients[k];
-      if (!c.identified) continue;
-      const double error = c.value - truth.coefficient(c.term);
+      if (!c.identified && !c.left_out) continue;
+      const double error = (c.identified ? c.value : 0.0) - truth.coefficient(c.term);
       if (std::abs(error) > score.largest_error) {
         score.largest_error = std::abs(error);
         score.largest_term = c.term;

@@ -42,8 +42,8 @@ struct Contestant {
   std::vector<Identification> runs;
   std::vector<double> seconds;  // of each run, wall clock
   std::optional<MetricSpreads> train, test;
-  Spread time;                   // s
-  std::optional<Spread> epochs;  // training iterations; absent for methods without
+  Spread time;                       // s
+  std::optional<Spread> iterations;  // as in Diagnostics; absent for direct solutions
   std::optional<TruthScore> truth;
 };
 
@@ -53,13 +53,22 @@ struct Comparison {
   std::size_t repeats = 1;
   double training_share = 0.7;
   std::vector<Contestant> contestants;
+  std::vector<std::string> notes;  // what the user must know to read it
 };
+
+// Mean figures of one method over those of another, as the paper gives its cost; absent where either lacks
+// the figure or the other's is zero.
+struct CostRatios {
+  std::optional<double> iterations, time, test_mse;
+};
+[[nodiscard]] CostRatios ratios_to(const Contestant& reference, const Contestant& contestant);
 
 // Fills the summary of a contestant from its runs and times.
 void summarise(Contestant& contestant);
 
-// Coefficients against the truth (same units). `bound` has the Cramér-Rao bound of each run's identified
-// coefficients, a vector a run in the order of its coefficients, or is empty.
+// Coefficients against the truth (same units); one left out by choice is an estimate of zero, without a
+// standard error, and one that the rows cannot identify does not count. `bound` has the Cramér-Rao bound of
+// each run's coefficients that count, a vector a run in the order of its coefficients, or is empty.
 [[nodiscard]] TruthScore score_against(const StaticModel& truth, std::span<const Identification> runs,
                                        std::span<const std::vector<double>> bound);
 

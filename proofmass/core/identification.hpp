@@ -29,7 +29,8 @@ struct Coefficient {
   std::optional<double> p;               // two-sided, of the hypothesis that the coefficient is zero
   std::optional<double> vif;             // variance inflation factor
   bool identified = true;
-  std::string reason;  // why it is not identified, naming the terms it is confounded with
+  bool left_out = false;  // not identified by the method's choice though the rows could: it counts as zero
+  std::string reason;     // why it is not identified, naming the terms it is confounded with
 };
 
 struct Metrics {
@@ -91,6 +92,9 @@ struct Diagnostics {
   // Rms over the training rows of the model's projection of the network's residual: what the network adds to
   // least squares' coefficients.
   std::optional<double> induced_deviation;
+  // What the method spent: epochs of training, evaluations of a swarm that trains nothing, steps of an
+  // iterative solution, or models computed, all together. Absent for direct solutions.
+  std::optional<std::size_t> iterations;
   std::optional<std::size_t> training_epochs;    // of all candidates together
   std::optional<std::size_t> swarm_evaluations;  // of the swarm's fitness
   std::optional<std::size_t> models_tried;       // by a search over models

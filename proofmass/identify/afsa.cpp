@@ -151,6 +151,8 @@ Identification identify_afsa(const Dataset& training, const Dataset& /*validatio
                       .vif = best.vif};
   Identification result = make_identification("afsa", training, options, found, fit);
   add_residual_figures(result.diagnostics, training, rss, found.identified.size());
+  result.diagnostics.swarm_evaluations = swarm.evaluations;
+  result.diagnostics.iterations = swarm.evaluations;
   result.diagnostics.optimum_rmse_ratio = distance.rmse_ratio;
   result.diagnostics.optimum_distance = distance.largest;
   add_notes(result.diagnostics.notes, distance, training);

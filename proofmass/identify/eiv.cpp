@@ -91,6 +91,7 @@ Identification identify_eiv(const Dataset& training, const Dataset& /*validation
                            .vif = {}});
   add_residual_figures(result.diagnostics, training, residual_square_sum(training, result.static_model()),
                        found.identified.size());
+  result.diagnostics.iterations = fit.iterations;
   auto& notes = result.diagnostics.notes;
   notes.insert(notes.end(), sigmas.notes.begin(), sigmas.notes.end());
   notes.push_back(describe_standard_errors(options.uncertainty.scaling, ratio));

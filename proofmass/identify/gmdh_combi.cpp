@@ -75,6 +75,7 @@ void explain_left_out(Identification& result, const TermList& candidates, const 
     if ((found.best >> k & 1U) != 0U) continue;
     for (Coefficient& c : result.coefficients) {
       if (c.term != candidates[k]) continue;
+      c.left_out = true;
       c.reason = fmt::format("left out by the search: the criterion is {:.6g} without it, {:.6g} with it",
                              std::sqrt(found.value), std::sqrt(criterion.value(found.best | Subset{1} << k)));
     }
@@ -128,6 +129,7 @@ Identification identify_gmdh_combi(const Dataset& training, const IdentifyOption
   add_residual_figures(result.diagnostics, training, solution.rss, chosen.size());
   add_notes(result, rows, found, all.identified, chosen);
   result.diagnostics.models_tried = found.evaluations;
+  result.diagnostics.iterations = found.evaluations;
   result.history.push_back(criterion_curve(found));
   result.ending = {.status = found.proven ? EndingStatus::converged : EndingStatus::iteration_limit,
                    .reason = ending_reason(found, all.identified.size())};

@@ -150,6 +150,7 @@ Identification identify_gmdh_mia(const Dataset& training, const IdentifyOptions&
   const StaticModel every_term = expanded(network.best.jet, parse_terms("full"), scales);
   add_expansion_notes(result, training, network, model, every_term);
   result.diagnostics.models_tried = network.neurons;
+  result.diagnostics.iterations = network.neurons;
   Curve curve{.name = "criterion_by_layer", .values = {}};
   for (const double value : network.value_of_layer) curve.values.push_back(std::sqrt(value));
   result.history.push_back(std::move(curve));

@@ -41,6 +41,7 @@ struct Search {
   std::size_t chosen = 0;
   HybridValidation validation;
   std::size_t epochs = 0;
+  std::size_t evaluations = 0;  // of the swarms' fitness
 };
 
 Search search(const Dataset& training, const TermList& terms, double rss, const IdentifyOptions& options,
@@ -57,6 +58,7 @@ Search search(const Dataset& training, const TermList& terms, double rss, const 
     HybridFit fit = fit_hybrid(training, terms, hidden, options, progress);
     progress.update("hidden units", hidden, options.hybrid.most_hidden);
     found.epochs += fit.epochs;
+    found.evaluations += fit.evaluations;
     found.criterion.push_back(information_criterion(fit.rss, fit.parameters, training.rows()));
     if (found.criterion.back() < least) {
       least = found.criterion.back();
@@ -77,6 +79,7 @@ void cross_validate(Search& found, const Dataset& training, const TermList& term
   found.chosen = found.best->network.hidden;
   found.validation = validate_hybrid(training, terms, found.chosen, options, progress);
   found.epochs += found.validation.epochs;
+  found.evaluations += found.validation.evaluations;
   if (!found.validation.favours_network()) found.best.reset();
 }
 
@@ -138,6 +141,9 @@ Identification identify_hybrid(const Dataset& unordered, const Dataset& /*valida
   Identification result = make_identification("hybrid", training, options, terms, fit);
   add_residual_figures(result.diagnostics, training, rss, parameters);
   result.diagnostics.training_epochs = found.epochs;
+  result.diagnostics.swarm_evaluations = found.evaluations;
+  const std::size_t iterations = found.epochs + found.evaluations;
+  if (iterations > 0) result.diagnostics.iterations = iterations;
   result.ending = {EndingStatus::converged, describe(found)};
   result.history.push_back({"information_criterion", found.criterion});
   result.diagnostics.notes.emplace_back(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -54,7 +55,8 @@ SwarmResult seek(const HybridProblem& problem, const IdentifyOptions& options, c
   }
   SwarmSettings settings;
   settings.iterations = options.hybrid.iterations;
-  const auto objective = [&problem](std::span<const double> x) {
+  const auto objective = [&problem, &progress](std::span<const double> x) {
+    if (progress.cancelled()) return std::numeric_limits<double>::infinity();
     SeparablePerceptron separable(problem.shape, problem.samples, problem.fixed);
     return std::sqrt(separable.estimate(x) / static_cast<double>(problem.samples.rows()));
   };
@@ -132,6 +134,7 @@ HybridFit fit_hybrid(const Dataset& training, const TermList& terms, std::size_t
       });
   HybridFit fit = assemble(problem, *best);
   fit.swarm = swarm.history;
+  fit.evaluations = swarm.evaluations;
   for (const Candidate& candidate : candidates) fit.epochs += candidate.result.iterations;
   return fit;
 }

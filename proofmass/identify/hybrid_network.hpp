@@ -14,12 +14,13 @@ namespace proofmass {
 
 // A static model and a network side by side, fitted to a record.
 struct HybridFit {
-  TrainedNetwork network;      // with the static part in its skip
-  double rss = 0.0;            // over the training rows, canonical output unit squared
-  std::size_t parameters = 0;  // free ones: terms and weights
-  std::size_t epochs = 0;      // of training, all candidates together
-  std::vector<double> curve;   // training rmse of the candidate kept, scaled output
-  std::vector<double> swarm;   // best fitness of the swarm, likewise
+  TrainedNetwork network;       // with the static part in its skip
+  double rss = 0.0;             // over the training rows, canonical output unit squared
+  std::size_t parameters = 0;   // free ones: terms and weights
+  std::size_t epochs = 0;       // of training, all candidates together
+  std::size_t evaluations = 0;  // of the swarm's fitness
+  std::vector<double> curve;    // training rmse of the candidate kept, scaled output
+  std::vector<double> swarm;    // best fitness of the swarm, likewise
 };
 
 // The best fit with `hidden` >= 1 tanh units beside the terms (K0 among them, played by the network's bias).

@@ -23,6 +23,7 @@ constexpr std::size_t kFolds = 5;
 struct Fold {
   std::vector<double> with, without;  // errors at the rows left out
   std::size_t epochs = 0;
+  std::size_t evaluations = 0;
 };
 
 Fold leave_out(const Dataset& training, std::size_t fold, const TermList& terms, std::size_t hidden,
@@ -37,6 +38,7 @@ Fold leave_out(const Dataset& training, std::size_t fold, const TermList& terms,
   const HybridFit fit = fit_hybrid(rows, terms, hidden, options, progress);
   const std::vector<double> predicted = network_outputs(fit.network, out);
   errors.epochs = fit.epochs;
+  errors.evaluations = fit.evaluations;
   for (std::size_t r = 0; r < out.rows(); ++r) {
     errors.with.push_back(out.output[r] - predicted[r]);
     errors.without.push_back(out.output[r] - model.output(out.at(r)));
@@ -60,6 +62,7 @@ HybridValidation validate_hybrid(const Dataset& training, const TermList& terms,
   double squares = 0.0;
   for (const Fold& fold : folds) {
     result.epochs += fold.epochs;
+    result.evaluations += fold.evaluations;
     result.rows += fold.with.size();
     for (std::size_t r = 0; r < fold.with.size(); ++r) {
       const double a = fold.with[r] * fold.with[r];

@@ -17,6 +17,7 @@ struct HybridValidation {
   double gain = 0.0;            // mean over the rows of squared error without less squared error with
   double standard_error = 0.0;  // of that mean
   std::size_t epochs = 0;
+  std::size_t evaluations = 0;  // of the swarms' fitness
   // Whether the network predicts better by more than one standard error.
   [[nodiscard]] bool favours_network() const noexcept { return gain > standard_error; }
 };

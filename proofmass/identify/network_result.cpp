@@ -185,6 +185,7 @@ Identification make_network_identification(std::string_view method, const Networ
   result.diagnostics.induced_deviation = projected.induced_deviation;
   result.diagnostics.saturated_share = saturated_share(task, result.network->weights);
   result.diagnostics.training_epochs = refinement.epochs;
+  result.diagnostics.iterations = refinement.epochs;
   add_coefficients(result, task, options, projected);
   result.history.push_back({"training_rmse", best.training_curve});
   if (!best.validation_curve.empty()) result.history.push_back({"validation_rmse", best.validation_curve});

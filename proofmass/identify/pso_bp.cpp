@@ -126,6 +126,10 @@ Identification identify_pso_bp(const Dataset& training, const Dataset& validatio
   refinement.epochs += fitness.epochs();
   Identification result = make_network_identification("pso-bp", task, options, refinement);
   add_swarm(result, swarm, output_half_range(task.network) / task.training.output_unit.to_canonical);
+  // An evaluation that trains has been counted by its epochs.
+  if (options.swarm.fitness != SwarmFitness::trained) {
+    result.diagnostics.iterations = refinement.epochs + swarm.evaluations;
+  }
   return result;
 }
 

@@ -26,9 +26,11 @@ constexpr double kLeastSlope = 0.05;
 RobustFit fit_identifiable(const Dataset& training, const IdentifyOptions& options, Identifiability& found,
                            const Progress& progress) {
   while (true) {
-    if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted before the robust fit");
-    RobustFit fit =
-        fit_robustly(design_matrix(training, found.identified), training.output, options.robust.fit);
+    RobustFit fit = fit_robustly(design_matrix(training, found.identified), training.output,
+                                 options.robust.fit, [&progress] { return !progress.cancelled(); });
+    if (fit.termination.cause == Cause::stopped) {
+      throw Error(ErrorKind::interrupted, "interrupted during the robust fit");
+    }
     const std::size_t before = found.identified.size();
     found = require_identifiable_by_weight(training, found, fit.weights, options.on_rank_loss);
     if (found.identified.size() < before) continue;
@@ -112,6 +114,7 @@ Identification identify_robust(const Dataset& training, const Dataset& /*validat
       make_identification("robust", training, options, found,
                           {.coefficients = fit.coefficients, .covariance = fit.covariance, .vif = fit.vif});
   add_residual_figures(result.diagnostics, training, fit.rss, found.identified.size());
+  result.diagnostics.iterations = fit.iterations;
   result.diagnostics.robust_scale = fit.scale;
   result.diagnostics.suspect_rows = suspect_rows(training, fit, options.robust.outlier_limit);
   add_notes(result.diagnostics, training, fit, options.robust);

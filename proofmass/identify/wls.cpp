@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ struct Weighted {
   double variance = 0.0;
   Ending ending;
   std::vector<std::string> notes;
+  std::optional<std::size_t> iterations;  // of the variance model
 };
 
 // 1 / sigma_E² over its mean.
@@ -131,6 +133,7 @@ Weighted fit_by_model(const TermSums& sums, const TermList& terms, const WlsOpti
         "the residuals show no growth with |A|, or |A| is the same in every row: all rows weigh alike, the "
         "result is that of ols");
   }
+  result.iterations = fit.iterations;
   result.variance = fit.variance;
   result.ending = {.status = fit.termination.cause == Cause::converged ? EndingStatus::converged
                                                                        : EndingStatus::iteration_limit,
@@ -189,6 +192,7 @@ Identification identify_wls(const Dataset& training, const Dataset& /*validation
   if (!by_sigma && !training.output_sigma.empty()) {
     notes.emplace_back("sigma_E is not used: weights were asked for from the residuals");
   }
+  result.diagnostics.iterations = weighted.iterations;
   result.ending = std::move(weighted.ending);
   progress.update("weighted least squares", 1, 1);
   return result;

@@ -32,12 +32,21 @@ Json json_of(const TruthScore& score) {
   return json;
 }
 
-Json json_of(const Contestant& contestant) {
+Json json_of(const CostRatios& ratios) {
+  Json json = Json::object();
+  if (ratios.iterations) json["iterations"] = *ratios.iterations;
+  if (ratios.time) json["seconds"] = *ratios.time;
+  if (ratios.test_mse) json["test_mse"] = *ratios.test_mse;
+  return json;
+}
+
+Json json_of(const Contestant& contestant, const Contestant& reference) {
   Json json{{"method", contestant.method}};
   if (contestant.train) json["train"] = json_of(*contestant.train);
   if (contestant.test) json["test"] = json_of(*contestant.test);
-  if (contestant.epochs) json["iterations"] = json_of(*contestant.epochs);
+  if (contestant.iterations) json["iterations"] = json_of(*contestant.iterations);
   json["seconds"] = json_of(contestant.time);
+  json["ratios"] = json_of(ratios_to(reference, contestant));
   if (contestant.truth) json["truth"] = json_of(*contestant.truth);
   json["runs"] = Json::array();
   for (const Identification& run : contestant.runs) json["runs"].push_back(Json::parse(to_json(run)));
@@ -50,7 +59,10 @@ std::string to_json(const Comparison& comparison) {
   Json json{
       {"schema", "proofmass.comparison/1"}, {"input", comparison.input},          {"seed", comparison.seed},
       {"repeats", comparison.repeats},      {"split", comparison.training_share}, {"methods", Json::array()}};
-  for (const Contestant& contestant : comparison.contestants) json["methods"].push_back(json_of(contestant));
+  for (const Contestant& contestant : comparison.contestants) {
+    json["methods"].push_back(json_of(contestant, comparison.contestants.front()));
+  }
+  if (!comparison.notes.empty()) json["notes"] = comparison.notes;
   return json_layout(json.dump());
 }
 

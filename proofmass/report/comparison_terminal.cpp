@@ -24,6 +24,11 @@ std::string spread_text(const std::optional<Spread>& spread, int digits = 5) {
   return spread ? spread_text(*spread, digits) : "-";
 }
 
+// One run's counts are whole.
+std::string count_text(const std::optional<Spread>& count) {
+  return count && !count->sd ? fmt::format("{:.0f}", count->mean) : spread_text(count, 4);
+}
+
 std::string optional_text(const std::optional<double>& value) {
   return value ? significant_text(*value, 3) : "-";
 }
@@ -31,7 +36,7 @@ std::string optional_text(const std::optional<double>& value) {
 std::string coefficient_text(const Identification& run, Term term) {
   for (const Coefficient& c : run.coefficients) {
     if (c.term != term) continue;
-    if (!c.identified) return "lost";
+    if (!c.identified) return c.left_out ? "left out" : "lost";
     if (!c.standard_error) return significant_text(c.value, 7);
     return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
                        significant_text(*c.standard_error, 2));
@@ -76,19 +81,14 @@ void write_metrics(TerminalText& out, const Comparison& comparison) {
   out.table(table);
 }
 
-// Ratio of two figures, as the paper gives its cost; "-" where there is none.
-std::string ratio_text(double value, double reference) {
-  return reference > 0.0 ? significant_text(value / reference, 3) : "-";
-}
-
 void write_costs(TerminalText& out, const Comparison& comparison) {
   const Contestant& first = comparison.contestants.front();
-  TextTable table({"method", "iterations", "time, s", "time ratio", "test MSE ratio", "ended"}, true);
+  TextTable table({"method", "iterations", "ratio", "time, s", "time ratio", "test MSE ratio", "ended"},
+                  true);
   for (const Contestant& c : comparison.contestants) {
-    const bool scored = c.test && first.test;
-    table.add({c.method, spread_text(c.epochs, 4), spread_text(c.time, 3),
-               ratio_text(c.time.mean, first.time.mean),
-               scored ? ratio_text(c.test->mse.mean, first.test->mse.mean) : "-",
+    const CostRatios ratios = ratios_to(first, c);
+    table.add({c.method, count_text(c.iterations), optional_text(ratios.iterations), spread_text(c.time, 3),
+               optional_text(ratios.time), optional_text(ratios.test_mse),
                std::string(to_string(c.runs.front().ending.status))});
   }
   out.heading(fmt::format("Cost, ratios to {}", first.method));
@@ -108,6 +108,7 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
   }
   out.heading("Distance from the truth, over terms and repeats (1 is what noise explains)");
   out.table(table);
+  for (const std::string& note : comparison.notes) out.warning("note: " + note);
 }
 
 }  // namespace

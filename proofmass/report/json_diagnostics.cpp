@@ -64,6 +64,7 @@ Diagnostics diagnostics_of(const JsonNode& node) {
                           .condition_scaled = optional_number(node, "condition_scaled"),
                           .saturated_share = optional_number(node, "saturated_share"),
                           .induced_deviation = optional_number(node, "induced_deviation"),
+                          .iterations = optional_count(node, "iterations"),
                           .training_epochs = optional_count(node, "training_epochs"),
                           .swarm_evaluations = optional_count(node, "swarm_evaluations"),
                           .models_tried = optional_count(node, "models_tried"),

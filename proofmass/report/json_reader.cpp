@@ -31,6 +31,7 @@ Coefficient coefficient_of(const JsonNode& node) {
   coefficient.term = *term;
   coefficient.identified = node.at("identified").flag();
   if (coefficient.identified) coefficient.value = node.at("value").number();
+  if (const auto left_out = node.find("left_out")) coefficient.left_out = left_out->flag();
   coefficient.standard_error = optional_number(node, "standard_error");
   if (const auto ci95 = node.find("ci95")) coefficient.ci95 = interval_of(*ci95);
   coefficient.t = optional_number(node, "t");

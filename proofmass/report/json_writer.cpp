@@ -31,6 +31,7 @@ Json json_of(const Coefficient& coefficient, const Unit& output) {
     json["ci95"] = json_of(*coefficient.ci95);
   json["unit"] = coefficient_unit(coefficient.term, output);
   json["identified"] = coefficient.identified;
+  if (coefficient.left_out) json["left_out"] = true;
   if (!coefficient.reason.empty()) json["reason"] = coefficient.reason;
   set(json, "t", coefficient.t);
   set(json, "p", coefficient.p);
@@ -89,6 +90,7 @@ Json json_of(const Diagnostics& diagnostics) {
   set(json, "condition_scaled", diagnostics.condition_scaled);
   set(json, "saturated_share", diagnostics.saturated_share);
   set(json, "induced_deviation", diagnostics.induced_deviation);
+  set(json, "iterations", diagnostics.iterations);
   set(json, "training_epochs", diagnostics.training_epochs);
   set(json, "swarm_evaluations", diagnostics.swarm_evaluations);
   set(json, "models_tried", diagnostics.models_tried);
