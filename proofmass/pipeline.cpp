@@ -8,6 +8,7 @@
 #include "proofmass/assess/uncertainty.hpp"
 #include "proofmass/hidden_search.hpp"
 #include "proofmass/identify/presets.hpp"
+#include "proofmass/identify/uncertainties.hpp"
 
 namespace proofmass {
 
@@ -41,6 +42,8 @@ SplitOptions split_for(const Method& method, SplitOptions options) noexcept {
 
 Identification run(const Dataset& record, const Method& method, const IdentifyOptions& asked,
                    const SplitOptions& split_options, Progress& progress) {
+  // Of all rows: what is refused must not hang on which of them train.
+  if (method.sigma_columns != nullptr) require_usable_sigmas(record, method.sigma_columns(asked));
   IdentifyOptions options = asked;
   std::vector<HiddenTrial> trials = search_hidden(record, method, options, split_options, progress);
   const Split split = split_rows(record.rows(), split_for(method, split_options), options.seed);

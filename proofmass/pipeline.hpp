@@ -15,8 +15,9 @@ namespace proofmass {
 // The paper's PSO-BP: apply_paper_preset of identify/presets.hpp, and early stopping.
 void apply_paper_preset(IdentifyOptions& options, SplitOptions& split);
 
-// Splits the record by split_for, seeks the number of hidden units on the training share when asked to,
-// identifies on the training rows, and assesses on every part.
+// Checks the sigma columns that the method goes by, splits the record by split_for, seeks the number of
+// hidden units on the training share when asked to, identifies on the training rows, and assesses on every
+// part.
 [[nodiscard]] Identification run(const Dataset& record, const Method& method, const IdentifyOptions& options,
                                  const SplitOptions& split_options, Progress& progress);
 

@@ -84,6 +84,50 @@ TEST_F(Safety, OverflowIsRefused) {
   EXPECT_FALSE(exists("h.json"));
 }
 
+TEST_F(Safety, UncertaintiesBeyondTheRangeOfNumbersAreRefused) {
+  const std::string record = make_record("100");
+  for (const char* const method : {"tls", "eiv"}) {
+    const auto fails = [&](const char* output, const char* input, const std::string& option) {
+      expect_failure(proofmass({"identify", record, "--method", method, "--sigma-output-ug", output,
+                                "--sigma-input-ug", input, "--json", at("r.json")}),
+                     2, {option});
+    };
+    fails("300", "1e-300", "--sigma-input-ug");
+    fails("1e-200", "300", "--sigma-output-ug");
+    fails("1e-300", "1e-300", "--sigma-");
+  }
+  // Every row but one as it should be.
+  const auto with_sigma = [this](const std::string& sigma) {
+    std::string text = "Ai,E,sigma_E,sigma_Ai\n";
+    for (int k = 0; k < 40; ++k) {
+      text +=
+          std::to_string(k) + "," + std::to_string(2 * k + k % 3) + "," + (k == 17 ? sigma : "1") + ",0.1\n";
+    }
+    return write("sigma.csv", text);
+  };
+  for (const char* const sigma : {"0", "1e-300", "1e+300"}) {
+    const std::string uncertain = with_sigma(sigma);
+    for (const char* const method : {"wls", "tls", "eiv"}) {
+      // Whether the row trains or tests.
+      for (const char* const seed : {"1", "2", "3", "4", "5", "6"}) {
+        expect_failure(
+            proofmass({"identify", uncertain, "--method", method, "--terms", "K0,Ki", "--seed", seed}), 3,
+            {"sigma.csv:19", "sigma_E", sigma});
+      }
+    }
+    EXPECT_EQ(proofmass({"identify", uncertain, "--method", "ols", "--terms", "K0,Ki"}).exit_code, 0);
+  }
+  for (const char* const sigma : {"1e-30", "1e30"}) {
+    const std::string uncertain = with_sigma(sigma);
+    for (const char* const method : {"wls", "tls", "eiv"}) {
+      const Outcome outcome =
+          proofmass({"identify", uncertain, "--method", method, "--terms", "K0,Ki", "--split", "1"});
+      EXPECT_NE(outcome.exit_code, 1) << method << ": " << outcome.err;
+    }
+  }
+  EXPECT_FALSE(exists("r.json"));
+}
+
 TEST_F(Safety, EndlessPlansAndResultsEnd) {
   expect_failure(proofmass({"simulate", "/dev/zero"}), 3, {"/dev/zero", "more than 16 MiB"});
 }

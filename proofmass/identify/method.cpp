@@ -21,11 +21,19 @@
 namespace proofmass {
 namespace {
 
+SigmaColumns weights_column(const IdentifyOptions& options) {
+  return {.output = options.wls.weights != WeightSource::model, .inputs = false};
+}
+
+SigmaColumns columns_without_constants(const IdentifyOptions& options) {
+  return {.output = !options.uncertainty.output, .inputs = !options.uncertainty.input};
+}
+
 constexpr std::array kMethods{
     Method{"ols", "ordinary least squares on the terms of the static model", false, false, true,
            identify_ols},
     Method{"wls", "least squares weighted by sigma_E, or by noise found to grow with |A|", false, false, true,
-           identify_wls},
+           identify_wls, weights_column},
     Method{"robust", "M-estimation that holds outliers down (--loss) and lists them", false, false, true,
            identify_robust},
     Method{"bp", "a tanh network trained by back-propagation (Levenberg-Marquardt)", true, true, false,
@@ -33,9 +41,9 @@ constexpr std::array kMethods{
     Method{"pso-bp", "a tanh network whose initial weights come from a particle swarm", true, true, false,
            identify_pso_bp},
     Method{"tls", "mixed least squares and total least squares; a reference, biased for powers", false, false,
-           true, identify_tls},
+           true, identify_tls, columns_without_constants},
     Method{"eiv", "errors in variables: true accelerations found along with the coefficients", false, false,
-           true, identify_eiv},
+           true, identify_eiv, columns_without_constants},
     Method{"hybrid", "static model and network together, hidden units chosen by evidence", false, false, true,
            identify_hybrid},
     Method{"gmdh", "terms or polynomial network chosen by an external criterion", false, false, true,

@@ -10,6 +10,7 @@
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/progress.hpp"
 #include "proofmass/identify/options.hpp"
+#include "proofmass/identify/uncertainties.hpp"
 
 namespace proofmass {
 
@@ -25,6 +26,8 @@ struct Method {
   // cannot be identified or no usable fit came out, bad data when the record cannot serve the method.
   Identification (*identify)(const Dataset& training, const Dataset& validation,
                              const IdentifyOptions& options, Progress& progress);
+  // The record's sigma columns that a fit with these options goes by; null for methods that go by none.
+  SigmaColumns (*sigma_columns)(const IdentifyOptions& options) = nullptr;
 };
 
 [[nodiscard]] std::span<const Method> methods() noexcept;

@@ -19,8 +19,9 @@ bool any_above_zero(const std::vector<double>& column) {
   return std::any_of(column.begin(), column.end(), [](double sigma) { return sigma > 0.0; });
 }
 
-void find_input(std::string_view method, const Dataset& data, const TermList& terms,
-                const std::optional<double>& constant, Uncertainties& found) {
+// Whether some input that the terms use is uncertain.
+bool find_input(const Dataset& data, const TermList& terms, const std::optional<double>& constant,
+                Uncertainties& found) {
   bool replaced = false;
   bool any = false;
   for (const Axis axis : data.axes()) {
@@ -32,13 +33,8 @@ void find_input(std::string_view method, const Dataset& data, const TermList& te
     if (!any_above_zero(found.input[k])) found.input[k].clear();
     any = any || !found.input[k].empty();
   }
-  if (!any) {
-    throw refusal(fmt::format(
-        "{} needs the uncertainty of at least one input that the model uses, above zero: columns sigma_Ai, "
-        "sigma_Ao, sigma_Ap in the record, or --sigma-input-ug for all axes; where inputs are exact, use ols",
-        method));
-  }
   if (replaced) found.notes.emplace_back("--sigma-input-ug takes the place of the record's sigma columns");
+  return any;
 }
 
 // Output units per g of input.
@@ -52,37 +48,75 @@ double sensitivity(std::string_view method, const Dataset& data, const TermList&
                   method, data.output_unit.canonical_symbol()));
 }
 
-void require_positive(const Dataset& data) {
-  for (std::size_t row = 0; row < data.rows(); ++row) {
-    if (data.output_sigma[row] > 0.0) continue;
+constexpr double kLeastSigma = 1e-30;
+constexpr double kMostSigma = 1e30;
+
+bool in_range(double sigma) { return sigma >= kLeastSigma && sigma <= kMostSigma; }
+
+void require_usable_constant(std::string_view option, double sigma) {
+  if (in_range(sigma)) return;
+  throw usage_error(
+      fmt::format("{} is {:.3g} g, expected {:.0g} to {:.0g} g", option, sigma, kLeastSigma, kMostSigma));
+}
+
+void require_usable_column(const Dataset& record, const std::vector<double>& sigma, const std::string& column,
+                           bool zero_is_exact) {
+  for (std::size_t row = 0; row < sigma.size(); ++row) {
+    if (in_range(sigma[row]) || (zero_is_exact && sigma[row] == 0.0)) continue;
     throw bad_data(
-        {.file = data.source, .row = data.line.empty() ? row + 1 : data.line[row], .column = "sigma_E"},
-        fmt::format("{}", data.output_sigma[row]), "a standard uncertainty above zero");
+        {.file = record.source, .row = record.line.empty() ? row + 1 : record.line[row], .column = column},
+        fmt::format("{}", sigma[row]),
+        zero_is_exact ? "a standard uncertainty of 1e-30 to 1e30, or zero"
+                      : "a standard uncertainty above zero, of 1e-30 to 1e30");
   }
 }
 
+// What to give for the uncertainties that are missing.
+std::string wanted(std::string_view method, bool output, bool inputs) {
+  std::string text = fmt::format("{} needs ", method);
+  if (output) {
+    text +=
+        "the uncertainty of the output: a column sigma_E in the record, or --sigma-output-ug, referred to "
+        "the "
+        "input";
+  }
+  if (output && inputs) text += "; and ";
+  if (inputs) {
+    text +=
+        "the uncertainty of at least one input that the model uses, above zero: columns sigma_Ai, sigma_Ao, "
+        "sigma_Ap in the record, or --sigma-input-ug for all axes; where inputs are exact, use ols";
+  }
+  return text;
+}
+
 }  // namespace
+
+void require_usable_sigmas(const Dataset& record, const SigmaColumns& used) {
+  if (used.output) require_usable_column(record, record.output_sigma, "sigma_E", false);
+  if (!used.inputs) return;
+  for (const Axis axis : kAxes) {
+    require_usable_column(record, record.acceleration_sigma[static_cast<std::size_t>(axis)],
+                          fmt::format("sigma_{}", axis_name(axis)), true);
+  }
+}
 
 Uncertainties find_uncertainties(std::string_view method, const Dataset& data, const TermList& terms,
                                  const std::vector<double>& least_squares,
                                  const UncertaintyOptions& options) {
   Uncertainties found;
-  if (!options.output && data.output_sigma.empty()) {
-    throw refusal(
-        fmt::format("{} needs the uncertainty of the output: a column sigma_E in the record, or "
-                    "--sigma-output-ug, referred to the input",
-                    method));
-  }
-  find_input(method, data, terms, options.input, found);
+  require_usable_sigmas(data, {.output = !options.output, .inputs = !options.input});
+  if (options.input && *options.input != 0.0) require_usable_constant("--sigma-input-ug", *options.input);
+  const bool output_missing = !options.output && data.output_sigma.empty();
+  const bool inputs_missing = !find_input(data, terms, options.input, found);
+  if (output_missing || inputs_missing) throw refusal(wanted(method, output_missing, inputs_missing));
   if (options.output) {
     const double sigma = *options.output * sensitivity(method, data, terms, least_squares);
-    if (!(sigma > 0.0)) throw usage_error("--sigma-output-ug must be above zero");
+    require_usable_constant("--sigma-output-ug", *options.output);
     found.output.assign(data.rows(), sigma);
     if (!data.output_sigma.empty()) {
       found.notes.emplace_back("--sigma-output-ug takes the place of the record's sigma_E");
     }
   } else {
-    require_positive(data);
     found.output = data.output_sigma;
   }
   return found;
