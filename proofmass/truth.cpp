@@ -16,6 +16,11 @@ namespace {
 
 double magnitude(const Acceleration& a) { return std::hypot(a.i, a.o, a.p); }
 
+bool noisy_inputs(const SimulationPlan& plan) {
+  return std::any_of(plan.input_sigma.begin(), plan.input_sigma.end(),
+                     [](double sigma) { return sigma > 0.0; });
+}
+
 // Variance that input noise adds to the output at a point.
 double variance_through_inputs(const SimulationPlan& plan, const StaticModel& truth, const Acceleration& a) {
   constexpr double h = 1e-4;
@@ -52,17 +57,20 @@ class NoiseInformation {
   std::map<long, double> known_;
 };
 
+// A term left out by choice was there to be identified.
+bool counts(const Coefficient& c) { return c.identified || c.left_out; }
+
 std::vector<double> bound_of(const Identification& run, const Dataset& training,
                              std::span<const double> information) {
   TermList terms;
   for (const Coefficient& c : run.coefficients) {
-    if (c.identified) terms.push_back(c.term);
+    if (counts(c)) terms.push_back(c.term);
   }
   const std::vector<double> errors = efficient_errors(training, terms, information);
   std::vector<double> bound(run.coefficients.size(), 0.0);
   std::size_t next = 0;
   for (std::size_t k = 0; k < bound.size(); ++k) {
-    if (run.coefficients[k].identified) bound[k] = errors[next++];
+    if (counts(run.coefficients[k])) bound[k] = errors[next++];
   }
   return bound;
 }
@@ -82,32 +90,41 @@ std::vector<std::vector<double>> bounds_of(const Contestant& contestant, const E
 
 }  // namespace
 
-std::vector<double> row_information(const SimulationPlan& plan, const Dataset& record) {
-  const bool noisy_inputs =
-      std::any_of(plan.input_sigma.begin(), plan.input_sigma.end(), [](double sigma) { return sigma > 0.0; });
-  const bool normal = !plan.noise.student_dof && plan.noise.outlier_share == 0.0;
-  if (noisy_inputs && !normal) return {};
+void require_same_output(const SimulationPlan& plan, const Dataset& record) {
+  if (record.output_unit.canonical_symbol() == plan.output_unit.canonical_symbol()) return;
+  throw usage_error(fmt::format("the truth's output is in {}, the record's in {}: they must agree",
+                                plan.output_unit.canonical_symbol(), record.output_unit.canonical_symbol()));
+}
+
+std::vector<double> output_variances(const SimulationPlan& plan, const Dataset& record) {
   const StaticModel truth = plan.truth();
+  std::vector<double> variances;
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const Acceleration a = record.at(row);
+    double variance = std::pow(plan.output_per_g * plan.noise.scale(magnitude(a)), 2);
+    if (noisy_inputs(plan)) variance += variance_through_inputs(plan, truth, a);
+    variances.push_back(variance);
+  }
+  return variances;
+}
+
+std::vector<double> row_information(const SimulationPlan& plan, const Dataset& record) {
+  const bool normal = !plan.noise.student_dof && plan.noise.outlier_share == 0.0;
+  if (noisy_inputs(plan) && !normal) return {};
+  const std::vector<double> variances = output_variances(plan, record);
   NoiseInformation shape(plan.noise);
   std::vector<double> information;
   for (std::size_t row = 0; row < record.rows(); ++row) {
-    const Acceleration a = record.at(row);
-    const double scale = plan.noise.scale(magnitude(a));
-    double variance = std::pow(plan.output_per_g * scale, 2);
-    if (noisy_inputs) variance += variance_through_inputs(plan, truth, a);
-    if (!(variance > 0.0)) return {};
-    information.push_back((normal ? 1.0 : shape(scale)) / variance);
+    if (!(variances[row] > 0.0)) return {};
+    const double scale = plan.noise.scale(magnitude(record.at(row)));
+    information.push_back((normal ? 1.0 : shape(scale)) / variances[row]);
   }
   return information;
 }
 
 void score_truth(Comparison& comparison, const Dataset& record, std::span<const Entry> entries,
                  const SimulationPlan& plan) {
-  if (record.output_unit.canonical_symbol() != plan.output_unit.canonical_symbol()) {
-    throw usage_error(fmt::format("the truth's output is in {}, the record's in {}: they must agree",
-                                  plan.output_unit.canonical_symbol(),
-                                  record.output_unit.canonical_symbol()));
-  }
+  require_same_output(plan, record);
   const std::vector<double> information = row_information(plan, record);
   const StaticModel truth = plan.truth();
   for (std::size_t k = 0; k < entries.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/truth_doubts.hpp"
 
 namespace proofmass {
 namespace {
@@ -72,6 +73,69 @@ TEST(ScoreTruth, LeastSquaresUnderWhiteNoiseIsAtTheBound) {
   SimulationPlan in_g = white;
   in_g.output_unit = {};
   EXPECT_THROW(score_truth(comparison, record, std::span(&entry, 1), in_g), Error);
+}
+
+// A method that keeps none of the slope in Ao.
+Comparison without_ko(const Dataset& record, const Entry& entry, bool by_choice) {
+  SilentProgress progress;
+  Comparison comparison = compare(record, std::span(&entry, 1), 1, progress);
+  Coefficient& ko = comparison.contestants[0].runs[0].coefficients.at(1);
+  ko = {};
+  ko.term = Term::Ko;
+  ko.identified = false;
+  ko.left_out = by_choice;
+  return comparison;
+}
+
+TEST(ScoreTruth, ATermLeftOutByChoiceIsAnEstimateOfZero) {
+  const SimulationPlan white = plan();
+  const Dataset record = simulate(white);
+  Entry entry{.name = "ols", .method = &find_method("ols"), .options = {}, .split = {}};
+  entry.options.terms = white.model.terms;
+  Comparison chosen = without_ko(record, entry, true);
+  score_truth(chosen, record, std::span(&entry, 1), white);
+  EXPECT_EQ(chosen.contestants[0].truth->largest_term, Term::Ko);
+  EXPECT_DOUBLE_EQ(chosen.contestants[0].truth->largest_error, 1.0);
+  EXPECT_GT(chosen.contestants[0].truth->rms_over_bound.value(), 50.0);
+
+  Comparison lost = without_ko(record, entry, false);
+  score_truth(lost, record, std::span(&entry, 1), white);
+  EXPECT_EQ(lost.contestants[0].truth->largest_term, Term::Ki);
+  EXPECT_LT(lost.contestants[0].truth->rms_over_bound.value(), 5.0);
+}
+
+TEST(DoubtsAboutTruth, AreNoneForTheRecordsOwnPlan) {
+  for (const double dof : {0.0, 3.0}) {
+    SimulationPlan white = plan();
+    if (dof > 0.0) white.noise.student_dof = dof;
+    for (const std::size_t rows : {5U, 60U, 2000U}) {
+      for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        EXPECT_EQ(doubts_about_truth(white, simulate(white, rows, seed), white.source),
+                  std::vector<std::string>{});
+      }
+    }
+  }
+}
+
+TEST(DoubtsAboutTruth, NameWhatDoesNotFit) {
+  const SimulationPlan white = plan();
+  const Dataset record = simulate(white, 500, 1);
+  const auto doubts = [&record](const SimulationPlan& truth) {
+    return doubts_about_truth(truth, record, "").size();
+  };
+  SimulationPlan louder = white;
+  louder.noise.sigma = 0.3;
+  EXPECT_EQ(doubts(louder), 1U);
+  SimulationPlan other = white;
+  other.model.coefficients[0] = 1.1;
+  EXPECT_EQ(doubts(other), 1U);
+  SimulationPlan gentler = white;
+  gentler.sphere->maximum = 10.0;
+  EXPECT_EQ(doubts(gentler), 1U);
+  EXPECT_EQ(doubts_about_truth(white, record, "another.toml").size(), 1U);
+  SimulationPlan in_g = white;
+  in_g.output_unit = {};
+  EXPECT_THROW((void)doubts(in_g), Error);
 }
 
 }  // namespace

@@ -78,8 +78,7 @@ void add_map(CLI::App& verb, std::vector<std::string>& map) {
       ->type_name("NAME=COLUMN,...");
 }
 
-CLI::Option* add_output(CLI::App& verb, const std::string& option, std::string& path,
-                        const std::string& help) {
+CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help) {
   const auto take = [option, &path](const std::string& text) {
     if (text.empty())
       throw usage_error(fmt::format("{}: found an empty name, expected a file or folder", option));
@@ -89,8 +88,8 @@ CLI::Option* add_output(CLI::App& verb, const std::string& option, std::string& 
 }
 
 void add_json(CLI::App& verb, std::string& path) {
-  add_output(verb, "--json", path,
-             "Write the result as JSON to FILE; - is standard output, in place of the table")
+  add_path(verb, "--json", path,
+           "Write the result as JSON to FILE; - is standard output, in place of the table")
       ->type_name("FILE");
 }
 

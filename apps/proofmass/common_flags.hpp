@@ -21,9 +21,8 @@ struct CommonFlags {
 
 void add_common(CLI::App& verb, CommonFlags& flags);
 void add_map(CLI::App& verb, std::vector<std::string>& map);
-// An option that names what to write, which must not be empty.
-CLI::Option* add_output(CLI::App& verb, const std::string& option, std::string& path,
-                        const std::string& help);
+// An option that names a file or folder: its name must not be empty.
+CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help);
 void add_json(CLI::App& verb, std::string& path);
 
 // "Ai=ax" of --map as the reader takes them. Throws a usage Error on what is not NAME=COLUMN or is given

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common_flags.hpp"
@@ -17,6 +19,7 @@
 #include "proofmass/report/version.hpp"
 #include "proofmass/stand/simulation_file.hpp"
 #include "proofmass/truth.hpp"
+#include "proofmass/truth_doubts.hpp"
 #include "verbs.hpp"
 
 namespace proofmass::cli {
@@ -33,10 +36,25 @@ struct CompareFlags {
   std::string truth;  // the plan that the record was simulated by, or empty
 };
 
+// The names between the commas; CLI11 would pass over empty ones.
+std::vector<std::string> names_of(const std::vector<std::string>& lists) {
+  std::vector<std::string> names;
+  for (const std::string& list : lists) {
+    std::size_t start = 0;
+    for (std::size_t comma = 0; comma != std::string::npos; start = comma + 1) {
+      comma = list.find(',', start);
+      names.push_back(list.substr(start, comma == std::string::npos ? comma : comma - start));
+    }
+  }
+  return names;
+}
+
 std::vector<Entry> entries_of(const CompareFlags& flags) {
   const IdentifySettings settings = flags.identify.settings();
   std::vector<Entry> entries;
-  for (const std::string& name : flags.methods) {
+  for (const std::string& name : names_of(flags.methods)) {
+    if (name.empty())
+      throw usage_error("--methods: found an empty name, expected a method before and after every comma");
     const auto same = [&name](const Entry& entry) { return entry.name == name; };
     if (std::any_of(entries.begin(), entries.end(), same)) {
       throw usage_error("--methods: '" + name + "' is listed twice");
@@ -45,6 +63,14 @@ std::vector<Entry> entries_of(const CompareFlags& flags) {
         {.name = name, .method = &find_method(name), .options = settings.options, .split = settings.split});
   }
   return entries;
+}
+
+// The plan that the record's file says it was simulated from; what comes by standard input is read once, and
+// says nothing.
+std::string plan_named_by(const std::string& record) {
+  if (record == "-") return {};
+  std::ifstream file(record);
+  return plan_named_in(file);
 }
 
 void add_provenance(Comparison& comparison, const Dataset& record, const IdentifyFlags& identify) {
@@ -70,11 +96,14 @@ void run_compare(const CompareFlags& flags) {
   if (!flags.truth.empty()) truth = read_simulation(flags.truth);
   ConsoleProgress progress(flags.common.quiet);
   const Dataset record = read_record(flags.record, {.rename = columns}, progress);
+  std::vector<std::string> doubts;
+  if (truth) doubts = doubts_about_truth(*truth, record, plan_named_by(flags.record));
   const InterruptGuard guard;
   const ThreadLimit limit(flags.common.threads);
   Comparison comparison = compare(record, entries, flags.repeats, progress);
   progress.clear();
   if (truth) score_truth(comparison, record, entries, *truth);
+  comparison.notes = std::move(doubts);
   add_provenance(comparison, record, flags.identify);
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
@@ -90,13 +119,11 @@ Action add_compare(CLI::App& verb) {
   verb.add_option("--methods", flags->methods,
                   "Methods to compare, separated by commas; ratios refer to the first")
       ->required()
-      ->delimiter(',')
       ->type_name("A,B,...");
   add_whole(verb, "--repeats", 1, 100'000, "Repeat with seeds S, S+1, ... (default 1)",
             [flags](std::uint64_t n) { flags->repeats = n; });
-  verb.add_option("--truth", flags->truth,
-                  "The plan that the record was simulated by: adds how far the coefficients are from the "
-                  "truth")
+  add_path(verb, "--truth", flags->truth,
+           "The plan that the record was simulated by: adds how far the coefficients are from the truth")
       ->type_name("STAND.toml");
   flags->identify.add_to(verb, IdentifyFlags::Method::given_elsewhere);
   add_map(verb, flags->map);

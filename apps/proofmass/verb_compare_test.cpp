@@ -57,10 +57,47 @@ TEST_F(CompareVerb, MeasuresTheDistanceFromTheTruth) {
   }
 }
 
+TEST_F(CompareVerb, DoubtsATruthThatIsNotTheRecords) {
+  const std::string record = make_record("500");
+  const auto notes_with = [&](const std::string& truth) {
+    const Outcome outcome =
+        proofmass({"compare", record, "--methods", "ols", "--truth", truth, "--json", at("c.json")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json notes = read_json("c.json").value("notes", Json::array());
+    for (const std::string note : notes) EXPECT_NE(outcome.out.find("note: " + note), std::string::npos);
+    return notes.dump();
+  };
+  EXPECT_EQ(notes_with(write("twin.toml", read_file(PROOFMASS_SOURCE_DIR "/data/twin-10ug.toml"))), "[]");
+  const std::string other = notes_with(PROOFMASS_SOURCE_DIR "/data/twin-300ug.toml");
+  EXPECT_NE(other.find("simulated from twin.toml, the truth is twin-300ug.toml"), std::string::npos) << other;
+  EXPECT_NE(other.find("times as far from the truth's as its noise explains"), std::string::npos) << other;
+}
+
+TEST_F(CompareVerb, GivesCostsAndTheirRatios) {
+  const std::string record = make_record("300");
+  ASSERT_EQ(proofmass({"compare", record, "--methods", "robust,gmdh,afsa,ols", "--fish-iterations", "5",
+                       "--model", "full", "--json", at("c.json")})
+                .exit_code,
+            0);
+  const Json methods = read_json("c.json")["methods"];
+  EXPECT_EQ(methods[0]["ratios"]["iterations"], 1.0);
+  for (const std::size_t k : {1U, 2U}) {
+    const Json& ratios = methods[k]["ratios"];
+    const double iterations = methods[k]["iterations"]["mean"];
+    EXPECT_GT(iterations, 0.0);
+    EXPECT_DOUBLE_EQ(ratios["iterations"], iterations / methods[0]["iterations"]["mean"].get<double>());
+    EXPECT_GT(ratios["seconds"], 0.0);
+    EXPECT_GT(ratios["test_mse"], 0.0);
+  }
+  EXPECT_FALSE(methods[3].contains("iterations"));
+}
+
 TEST_F(CompareVerb, RefusesWhatMakesNoSenseAndWritesNothing) {
   const std::string record = make_record("60");
   expect_failure(proofmass({"compare", record}), 2, {"--methods"});
   expect_failure(proofmass({"compare", record, "--methods", "ols,magic"}), 2, {"magic", "pso-bp"});
+  expect_failure(proofmass({"compare", record, "--methods", "ols,,wls"}), 2, {"--methods", "empty"});
+  expect_failure(proofmass({"compare", record, "--methods", "ols", "--truth", ""}), 2, {"--truth", "empty"});
   expect_failure(proofmass({"compare", record, "--methods", "ols,ols"}), 2, {"'ols' is listed twice"});
   expect_failure(proofmass({"compare", record, "--methods", "ols", "--repeats", "0"}), 2, {"--repeats"});
   expect_failure(proofmass({"compare", record, "--methods", "ols,eiv", "--json", at("c.json")}), 4,

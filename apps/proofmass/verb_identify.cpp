@@ -118,8 +118,7 @@ Action add_identify(CLI::App& verb) {
   flags->identify.add_to(verb);
   add_map(verb, flags->map);
   add_json(verb, flags->json);
-  add_output(verb, "--out", flags->out,
-             "Write result.json, predictions.csv and history.csv to the folder DIR")
+  add_path(verb, "--out", flags->out, "Write result.json, predictions.csv and history.csv to the folder DIR")
       ->type_name("DIR");
   add_common(verb, flags->common);
   verb.footer(

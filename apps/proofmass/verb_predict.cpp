@@ -88,7 +88,7 @@ Action add_predict(CLI::App& verb) {
   auto flags = std::make_shared<PredictFlags>();
   verb.add_option("RESULT.json", flags->result, "A result of identify; - is standard input")->required();
   verb.add_option("INPUTS.csv", flags->inputs, "Accelerations, a row each; - is standard input")->required();
-  add_output(verb, "--out", flags->out, "The predictions to write; -, the default, is standard output")
+  add_path(verb, "--out", flags->out, "The predictions to write; -, the default, is standard output")
       ->type_name("FILE");
   add_map(verb, flags->map);
   add_common(verb, flags->common);

@@ -50,7 +50,7 @@ void run_reproduce(const ReproduceFlags& flags) {
 
 Action add_reproduce(CLI::App& verb) {
   auto flags = std::make_shared<ReproduceFlags>();
-  add_output(verb, "--out", flags->out, "Write the page, the tables' data and the figures to the folder DIR")
+  add_path(verb, "--out", flags->out, "Write the page, the tables' data and the figures to the folder DIR")
       ->type_name("DIR");
   verb.add_flag("--quick", flags->quick, "One repeat of everything, two records for BP against PSO-BP");
   add_whole(verb, "--seed", 0, 1'000'000'000, "Seed of record, split and draws (default 1)",

@@ -49,7 +49,7 @@ void run_simulate(const SimulateFlags& flags) {
 Action add_simulate(CLI::App& verb) {
   auto flags = std::make_shared<SimulateFlags>();
   verb.add_option("STAND.toml", flags->plan, "The plan: model, inputs, noise, rows and seed")->required();
-  add_output(verb, "--out", flags->out, "The record to write; -, the default, is standard output")
+  add_path(verb, "--out", flags->out, "The record to write; -, the default, is standard output")
       ->type_name("FILE");
   add_whole(verb, "--rows", 1, kMostRows, "Rows, in place of the plan's",
             [flags](std::uint64_t n) { flags->rows = n; });

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,5 +91,9 @@ struct SimulationPlan {
 // What a simulated record is, a line each, for the comments of its file.
 [[nodiscard]] std::vector<std::string> describe(const SimulationPlan& plan, std::size_t rows,
                                                 std::uint64_t seed);
+
+// The plan that the comments at the head of a record's file, as describe() makes them, say it was simulated
+// from; empty where they do not.
+[[nodiscard]] std::string plan_named_in(std::istream& record);
 
 }  // namespace proofmass

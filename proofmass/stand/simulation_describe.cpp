@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "proofmass/stand/simulation.hpp"
 
 namespace proofmass {
 namespace {
+
+constexpr std::string_view kOrigin = "simulated from ";
 
 double micro(double value) { return value * 1e6; }
 
@@ -52,12 +55,23 @@ std::string describe_recorded(const SimulationPlan& plan) {
 
 std::vector<std::string> describe(const SimulationPlan& plan, std::size_t rows, std::uint64_t seed) {
   const std::string name = plan.source.empty() ? "a plan" : plan.source;
-  std::vector<std::string> lines{fmt::format("simulated from {}: {} rows, seed {}", name, rows, seed),
+  std::vector<std::string> lines{fmt::format("{}{}: {} rows, seed {}", kOrigin, name, rows, seed),
                                  describe_inputs(plan), describe_noise(plan.noise), describe_recorded(plan)};
   const UnmodelledStructure& structure = plan.unmodelled;
   if (structure.saturating != 0.0 || structure.fourth_order != 0.0)
     lines.push_back(describe_unmodelled(structure));
   return lines;
+}
+
+std::string plan_named_in(std::istream& record) {
+  for (std::string line; std::getline(record, line) && line.starts_with('#');) {
+    const std::size_t start = line.find_first_not_of("# ");
+    const std::size_t end = line.rfind(": ");
+    if (start == std::string::npos || end == std::string::npos) continue;
+    if (line.compare(start, kOrigin.size(), kOrigin) != 0 || end < start + kOrigin.size()) continue;
+    return line.substr(start + kOrigin.size(), end - start - kOrigin.size());
+  }
+  return {};
 }
 
 }  // namespace proofmass

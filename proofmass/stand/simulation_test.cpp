@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <sstream>
+#include <string>
 
 #include "proofmass/core/error.hpp"
 
@@ -202,6 +204,21 @@ TEST(Simulation, InputNoiseIsInTheRecordAndNotInTheOutput) {
   EXPECT_TRUE(measured.acceleration_sigma[2].empty());
   EXPECT_NE(describe(plan, 10, 1).back().find("as measured"), std::string::npos);
   EXPECT_NE(describe(sphere_plan(), 10, 1).back().find("true"), std::string::npos);
+}
+
+TEST(Simulation, TheCommentsOfARecordNameItsPlan) {
+  SimulationPlan plan = sphere_plan();
+  plan.source = "twin: two.toml";
+  std::string head;
+  for (const std::string& line : describe(plan, 10, 1)) head += "# " + line + "\n";
+  const auto named_in = [](const std::string& text) {
+    std::istringstream file(text);
+    return plan_named_in(file);
+  };
+  EXPECT_EQ(named_in("# a comment\n" + head + "Ai,E\n1,2\n"), "twin: two.toml");
+  EXPECT_EQ(named_in("Ai,E\n" + head), "");
+  EXPECT_EQ(named_in("# simulated from \n#\nAi,E\n"), "");
+  EXPECT_EQ(named_in(""), "");
 }
 
 TEST(Simulation, MountsRunThroughTheirLevelsAndRepeat) {
