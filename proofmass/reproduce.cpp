@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "proofmass/compare.hpp"
-#include "proofmass/core/error.hpp"
+#include "proofmass/core/step_progress.hpp"
 #include "proofmass/pipeline.hpp"
 #include "proofmass/report/version.hpp"
+#include "proofmass/reproduce_entries.hpp"
+#include "proofmass/swarm_gain.hpp"
 #include "proofmass/truth.hpp"
 
 namespace proofmass {
@@ -18,68 +20,9 @@ constexpr std::size_t kSmallest = 3;  // hidden units: sqrt(3 + 1) + 1 ... sqrt(
 constexpr std::size_t kLargest = 12;
 constexpr double kFineSigma = 1e-6;  // g; noise at which training, not noise, decides
 
-// Counts the steps of a table under its name; what a method says of itself inside a step is kept back.
-class Steps final : public Progress {
- public:
-  Steps(Progress& outer, std::string_view table, std::size_t total)
-      : outer_(outer), table_(table), total_(total) {
-    outer_.update(table_, 0, total_);
-  }
-  void update(std::string_view, std::size_t, std::size_t) override {}
-  [[nodiscard]] bool cancelled() const noexcept override { return outer_.cancelled(); }
-  void step() {
-    if (cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
-    outer_.update(table_, ++done_, total_);
-  }
-
- private:
-  Progress& outer_;
-  std::string_view table_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-};
-
-Entry entry(std::string name, std::string_view method, std::string_view terms,
-            const ReproduceOptions& budget) {
-  Entry made{.name = std::move(name), .method = &find_method(method), .options = {}, .split = {}};
-  made.options.terms = parse_terms(terms);
-  made.options.seed = budget.seed;
-  made.options.network.epochs = budget.refined_epochs;
-  return made;
-}
-
-Entry textbook_bp(const ReproduceOptions& budget) {
-  Entry made = entry("BP", "bp", "paper", budget);
-  made.options.network.trainer = Trainer::lm;
-  made.options.network.epochs = budget.epochs;
-  return made;
-}
-
-Entry paper_swarm(const ReproduceOptions& budget) {
-  Entry made = entry("PSO-BP, paper", "pso-bp", "paper", budget);
-  apply_paper_preset(made.options, made.split);
-  made.options.network.epochs = budget.epochs;
-  made.options.swarm.particles = budget.particles;
-  made.options.swarm.iterations = budget.generations;
-  made.options.swarm.fitness_epochs = budget.fitness_epochs;
-  return made;
-}
-
-// The same epochs as the paper's swarm spends, on random starts.
-Entry multistart(const ReproduceOptions& budget) {
-  Entry made = paper_swarm(budget);
-  made.name = "multistart BP";
-  made.method = &find_method("bp");
-  made.options.network.starts = budget.particles * (budget.generations + 1);
-  made.options.network.start_epochs = budget.fitness_epochs;
-  return made;
-}
-
-Entry our_swarm(const ReproduceOptions& budget) { return entry("PSO-BP, ours", "pso-bp", "full", budget); }
-
 std::vector<HiddenSizeScore> hidden_sizes(const Dataset& record, const ReproduceOptions& budget,
-                                          double& epochs, Progress& progress) {
-  Steps steps(progress, "Table 1", (kLargest - kSmallest + 1) * budget.size_repeats);
+                                          double& iterations, Progress& progress) {
+  StepProgress steps(progress, "Table 1", (kLargest - kSmallest + 1) * budget.size_repeats);
   std::vector<HiddenSizeScore> sizes;
   for (std::size_t hidden = kSmallest; hidden <= kLargest; ++hidden) {
     HiddenSizeScore score{.hidden = hidden, .training_mse = {}};
@@ -88,7 +31,7 @@ std::vector<HiddenSizeScore> hidden_sizes(const Dataset& record, const Reproduce
     for (std::size_t r = 0; r < budget.size_repeats; ++r, ++bp.options.seed) {
       const Identification result = run(record, *bp.method, bp.options, bp.split, steps);
       score.training_mse.push_back(result.train->mse);
-      if (r == 0) epochs += static_cast<double>(result.diagnostics.training_epochs.value_or(0));
+      if (r == 0) iterations += static_cast<double>(result.diagnostics.iterations.value_or(0));
       steps.step();
     }
     sizes.push_back(std::move(score));
@@ -99,7 +42,7 @@ std::vector<HiddenSizeScore> hidden_sizes(const Dataset& record, const Reproduce
 // Compares entry by entry, so that progress and interruption come between.
 Comparison compare_all(const Dataset& record, const std::vector<Entry>& entries, std::size_t repeats,
                        const SimulationPlan& twin, std::string_view table, Progress& progress) {
-  Steps steps(progress, table, entries.size());
+  StepProgress steps(progress, table, entries.size());
   Comparison all;
   for (const Entry& one : entries) {
     Comparison part = compare(record, std::span(&one, 1), repeats, steps);
@@ -117,45 +60,13 @@ Comparison compare_all(const Dataset& record, const std::vector<Entry>& entries,
   return all;
 }
 
-std::vector<Entry> table_2(const ReproduceOptions& budget) {
-  return {entry("LSM, 8 terms", "ols", "K0,Ki,Kii,Kio,Kip,Kop,Ko,Kp", budget),
-          entry("GMDH", "gmdh", "full", budget),
-          paper_swarm(budget),
-          our_swarm(budget),
-          entry("LSM, 15 terms", "ols", "paper", budget),
-          entry("LSM, 21 terms", "ols", "full", budget),
-          entry("hybrid", "hybrid", "full", budget)};
-}
-
-// BP and PSO-BP on records of one noise, one a seed.
-SwarmGain gain_of(SimulationPlan plan, double sigma, const Entry& swarm, const ReproduceOptions& budget,
-                  Steps& steps) {
-  plan.noise.sigma = sigma;
-  SwarmGain gain{.sigma = sigma, .preset = swarm.name, .bp_mse = {}, .swarm_mse = {}};
-  const auto count = static_cast<double>(budget.gain_seeds);
-  const auto score = [&](Entry who, const Dataset& record, std::uint64_t seed, double& epochs) {
-    who.options.seed = seed;
-    const Identification result = run(record, *who.method, who.options, who.split, steps);
-    epochs += static_cast<double>(result.diagnostics.training_epochs.value_or(0)) / count;
-    return result.test->mse;
-  };
-  for (std::size_t k = 0; k < budget.gain_seeds; ++k) {
-    const std::uint64_t seed = budget.seed + k;
-    const Dataset record = simulate(plan, plan.rows, seed);
-    gain.bp_mse.push_back(score(textbook_bp(budget), record, seed, gain.bp_epochs));
-    gain.swarm_mse.push_back(score(swarm, record, seed, gain.swarm_epochs));
-    steps.step();
-  }
-  return gain;
-}
-
 std::vector<SwarmGain> gains_of(const SimulationPlan& twin, const ReproduceOptions& budget,
                                 Progress& progress) {
-  Steps steps(progress, "BP against PSO-BP", 4 * budget.gain_seeds);
+  StepProgress steps(progress, "BP against PSO-BP", 4 * budget.gain_seeds);
   std::vector<SwarmGain> gains;
   for (const double sigma : {twin.noise.sigma, kFineSigma}) {
     for (const Entry& swarm : {paper_swarm(budget), our_swarm(budget)}) {
-      gains.push_back(gain_of(twin, sigma, swarm, budget, steps));
+      gains.push_back(measure_gain(twin, sigma, swarm, budget, steps));
     }
   }
   return gains;
@@ -184,7 +95,7 @@ std::vector<Curve> training_curves(const Dataset& record, Entry who, std::vector
 
 void add_figures(Reproduction& made, const Dataset& record, const ReproduceOptions& budget,
                  Progress& progress) {
-  Steps steps(progress, "Figures", 2);
+  StepProgress steps(progress, "Figures", 2);
   std::vector<Curve> none;
   made.bp_training = training_curves(record, textbook_bp(budget), none, steps);
   steps.step();
@@ -224,17 +135,16 @@ Reproduction reproduce(SimulationPlan twin, const ReproduceOptions& options, Pro
   made.noise_mse = declared_sigma * declared_sigma;
   made.truth = twin.truth();
   made.unit = record.output_unit.symbol;
-  made.sizes = hidden_sizes(record, options, made.search_epochs, progress);
-  made.coefficients = compare_all(record, table_2(options), 1, twin, "Table 2", progress);
+  made.sizes = hidden_sizes(record, options, made.search_iterations, progress);
+  made.coefficients = compare_all(record, table_2_entries(options), 1, twin, "Table 2", progress);
   const std::vector<Entry> networks{textbook_bp(options), paper_swarm(options), multistart(options),
                                     our_swarm(options)};
   made.networks = compare_all(record, networks, options.repeats, twin, "Table 3", progress);
-  const auto epochs = [&made](std::size_t k) {
-    return static_cast<double>(
-        made.networks.contestants[k].runs.front().diagnostics.training_epochs.value_or(0));
+  const auto iterations = [&made](std::size_t k) {
+    return static_cast<double>(made.networks.contestants[k].runs.front().diagnostics.iterations.value_or(0));
   };
-  made.search_epochs += epochs(0);
-  made.swarm_epochs = epochs(1);
+  made.search_iterations += iterations(0);
+  made.swarm_iterations = iterations(1);
   made.gains = gains_of(twin, options, progress);
   add_figures(made, record, options, progress);
   return made;

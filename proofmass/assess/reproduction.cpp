@@ -11,4 +11,10 @@ double SwarmGain::ratio() const {
   return std::exp(sum / static_cast<double>(bp_mse.size()));
 }
 
+std::optional<double> implied_variance(const Contestant& contestant) {
+  const std::optional<Metrics>& test = contestant.runs.front().test;
+  if (!test || !test->r2 || !(*test->r2 < 1.0)) return std::nullopt;
+  return test->mse / (1.0 - *test->r2);
+}
+
 }  // namespace proofmass

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,11 @@ struct HiddenSizeScore {
 struct SwarmGain {
   double sigma = 0.0;  // g, of the noise simulated
   std::string preset;  // of PSO-BP
-  // Test MSE of each seed, in the output's declared unit squared, and training epochs on the mean.
+  // Test MSE of each seed, in the output's declared unit squared, and the mean of their iterations (as in
+  // Diagnostics): epochs of training, and evaluations of a swarm that trains nothing.
   std::vector<double> bp_mse, swarm_mse;
-  double bp_epochs = 0.0;
-  double swarm_epochs = 0.0;
+  double bp_iterations = 0.0;
+  double swarm_iterations = 0.0;
   // Geometric mean over the seeds of BP's MSE over the swarm's.
   [[nodiscard]] double ratio() const;
 };
@@ -41,13 +43,17 @@ struct Reproduction {
   std::vector<HiddenSizeScore> sizes;  // Table 1
   Comparison coefficients;             // Table 2
   Comparison networks;                 // Table 3
-  double search_epochs = 0.0;          // BP: the sizes of Table 1, one repeat, and the final training
-  double swarm_epochs = 0.0;           // PSO-BP: the fitness evaluations and the final training
+  double search_iterations = 0.0;      // BP: the sizes of Table 1, one repeat, and the final training
+  double swarm_iterations = 0.0;       // PSO-BP: the fitness evaluations and the final training
   std::vector<SwarmGain> gains;
   std::vector<Curve> bp_training, swarm_training;  // Figures 4 and 5: RMSE by epoch
   std::vector<Curve> swarm;                        // Figure 6: fitness by iteration
   std::vector<double> measured;                    // Figures 7 and 8: output of the test rows
   std::vector<Curve> predicted;                    // and what the networks say
 };
+
+// Variance of the test outputs that MSE and R² of the first repeat imply, MSE / (1 - R²), in the declared
+// unit squared: the same for all that are scored on the same rows.
+[[nodiscard]] std::optional<double> implied_variance(const Contestant& contestant);
 
 }  // namespace proofmass
