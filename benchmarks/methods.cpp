@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -22,7 +23,12 @@ namespace {
 
 using namespace proofmass;
 
-// The uncertainties that tls and eiv need are those simulated, unless the record has them.
+constexpr double kSmallInputSigma = 1e-6;  // g
+
+bool exact_inputs(const SimulationPlan& plan) { return plan.input_sigma == std::array<double, 3>{}; }
+
+// The uncertainties that tls and eiv need are those simulated, unless the record has them. Exact inputs they
+// refuse: there they are told of 1 µg.
 std::vector<Entry> entries(const SimulationPlan& plan, const TermList& terms) {
   IdentifyOptions base;
   base.terms = terms;
@@ -41,11 +47,18 @@ std::vector<Entry> entries(const SimulationPlan& plan, const TermList& terms) {
   add("wls, variance model", "wls", [](Entry& e) { e.options.wls.weights = WeightSource::model; });
   add("robust, Huber", "robust", [](Entry& e) { e.options.robust.fit.loss = LossKind::huber; });
   add("robust, bisquare", "robust");
-  add("tls", "tls");
-  add("eiv", "eiv");
+  for (const char* const method : {"tls", "eiv"}) {
+    if (exact_inputs(plan)) {
+      add(fmt::format("{}, inputs ± 1 µg", method), method,
+          [](Entry& e) { e.options.uncertainty.input = kSmallInputSigma; });
+    } else {
+      add(method, method);
+    }
+  }
   add("gmdh, combi", "gmdh");
   add("gmdh, mia", "gmdh", [](Entry& e) { e.options.gmdh.form = GmdhForm::mia; });
   add("afsa", "afsa");
+  add("afsa, columns", "afsa", [](Entry& e) { e.options.fish.coordinates = FishCoordinates::columns; });
   add("bp, textbook", "bp", [](Entry& e) { e.options.network.trainer = Trainer::lm; });
   add("bp", "bp");
   add("pso-bp, paper", "pso-bp", [](Entry& e) { apply_paper_preset(e.options, e.split); });
@@ -60,22 +73,35 @@ double noise_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t
   SimulationPlan quiet = plan;
   quiet.noise = {};
   quiet.record_sigma = false;
-  const bool exact_inputs = plan.input_sigma == std::array<double, 3>{};
   quiet.input_sigma = {};
   const Dataset clean = simulate(quiet, plan.rows, seed);
   const StaticModel truth = plan.truth();
   const std::vector<std::size_t> test = split_rows(record.rows(), {}, seed).test;
   double sum = 0.0;
   for (const std::size_t row : test) {
-    const double best = exact_inputs ? clean.output[row] : truth.output(record.at(row));
+    const double best = exact_inputs(plan) ? clean.output[row] : truth.output(record.at(row));
     sum += (record.output[row] - best) * (record.output[row] - best);
   }
   return std::sqrt(sum / static_cast<double>(test.size())) / record.output_unit.to_canonical;
 }
 
+// The test error that the record allows: that of least squares with all terms or, where the terms cannot
+// represent the truth, the noise.
+double floor_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t seed,
+                const TermList& terms) {
+  if (plan.unmodelled.saturating != 0.0 || plan.unmodelled.fourth_order != 0.0) {
+    return noise_of(plan, record, seed);
+  }
+  SilentProgress progress;
+  IdentifyOptions options;
+  options.terms = terms;
+  options.seed = seed;
+  return run(record, find_method("ols"), options, {}, progress).test->rmse;
+}
+
 struct Tally {
   double square_over_bound = 0.0;
-  std::vector<double> over_noise, seconds;
+  std::vector<double> over_floor, over_noise, seconds;
 };
 
 double median(std::vector<double> values) {
@@ -100,17 +126,21 @@ std::string cells(const SimulationPlan& plan, Entry entry, std::size_t seeds) {
     const Contestant& contestant = one.contestants.front();
     const double over_bound = contestant.truth->rms_over_bound.value();
     tally.square_over_bound += over_bound * over_bound;
-    tally.over_noise.push_back(contestant.runs.front().test->rmse / noise_of(plan, record, seed));
+    const double rmse = contestant.runs.front().test->rmse;
+    tally.over_floor.push_back(rmse / floor_of(plan, record, seed, entry.options.terms));
+    tally.over_noise.push_back(rmse / noise_of(plan, record, seed));
     tally.seconds.push_back(contestant.seconds.front());
   }
   const double rms = std::sqrt(tally.square_over_bound / static_cast<double>(seeds));
-  return fmt::format("{:.4g} | {:.4g} | {:.4g} | {:.3g}", rms, geometric_mean(tally.over_noise),
-                     *std::max_element(tally.over_noise.begin(), tally.over_noise.end()),
-                     1e3 * median(tally.seconds));
+  return fmt::format("{:.4g} | {:.4g} | {:.4g} | {:.4g} | {:.3g}", rms, geometric_mean(tally.over_floor),
+                     *std::max_element(tally.over_floor.begin(), tally.over_floor.end()),
+                     geometric_mean(tally.over_noise), 1e3 * median(tally.seconds));
 }
 
 void tabulate(const SimulationPlan& plan, const std::string& model, std::size_t seeds) {
-  fmt::print("| method | error / bound | test RMSE / noise | worst | ms |\n|---|---|---|---|---|\n");
+  fmt::print(
+      "| method | error / bound | test RMSE / floor | worst | test RMSE / noise | ms |\n"
+      "|---|---|---|---|---|---|\n");
   std::vector<std::string> refusals;
   for (const Entry& entry : entries(plan, parse_terms(model))) {
     std::string text;
@@ -118,7 +148,7 @@ void tabulate(const SimulationPlan& plan, const std::string& model, std::size_t 
       text = cells(plan, entry, seeds);
     } catch (const Error& error) {
       refusals.emplace_back(error.what());
-      text = fmt::format("refused ({}) | | |", refusals.size());
+      text = fmt::format("refused ({}) | | | |", refusals.size());
     }
     fmt::print("| {} | {} |\n", entry.name, text);
     std::fflush(stdout);

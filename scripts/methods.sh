@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Measures every method on six shipped twins against the efficient bound and the noise, and prints one Markdown table a
-# twin. Needs nothing but this checkout on Debian 12; twenty seeds take some minutes. With --write the tables take the
-# place of those in docs/method-comparison.md.
+# Measures every method on six shipped twins against the efficient bound, the floor and the noise, and prints one Markdown
+# table a twin. Needs nothing but this checkout on Debian 12; twenty seeds take some minutes. With --write the tables take
+# the place of those in docs/method-comparison.md.
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 

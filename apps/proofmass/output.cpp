@@ -113,7 +113,7 @@ void require_writable_file(const fs::path& file) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
-    OutputFiles().add(file, {});
+    OutputFiles().add(file, std::string_view{});
   } else if (access(file.c_str(), W_OK) != 0) {
     throw usage_error(
         fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(errno)));
@@ -128,7 +128,7 @@ void require_writable_folder(const fs::path& folder) {
   }
   OutputFiles attempt;
   attempt.make_folder(folder);
-  attempt.add(folder / ".proofmass", {});
+  attempt.add(folder / ".proofmass", std::string_view{});
 }
 
 }  // namespace proofmass::cli
