@@ -10,7 +10,6 @@ namespace proofmass {
 namespace {
 
 using test::expect_failure;
-using test::Launch;
 using test::Outcome;
 
 class Safety : public test::CommandLine {

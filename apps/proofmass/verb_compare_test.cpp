@@ -43,8 +43,9 @@ TEST_F(CompareVerb, PutsEveryMethodSideBySide) {
 
 TEST_F(CompareVerb, MeasuresTheDistanceFromTheTruth) {
   const std::string record = make_record("2000");
+  const std::string truth = PROOFMASS_SOURCE_DIR "/data/twin-10ug.toml";
   const Outcome outcome = proofmass({"compare", record, "--methods", "ols,wls", "--repeats", "3", "--truth",
-                                     PROOFMASS_SOURCE_DIR "/data/twin-10ug.toml", "--json", at("c.json")});
+                                     truth, "--json", at("c.json")});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("rms error / bound"), std::string::npos);
   const Json comparison = read_json("c.json");

@@ -50,6 +50,7 @@ Identification full_result() {
                        .p = {},
                        .vif = {},
                        .identified = false,
+                       .left_out = true,
                        .reason = "confounded with \"Kii\": µ, [x] {y}, \\"};
   r.covariance = {0.01, 1e-11, 1e-11, 1e-18};
   r.network = TrainedNetwork{.inputs = {Axis::input, Axis::pendulous},
@@ -64,6 +65,7 @@ Identification full_result() {
   r.diagnostics.residual_sd = 0.3;
   r.diagnostics.dof = 4;
   r.diagnostics.saturated_share = 0.0;
+  r.diagnostics.iterations = 4050;
   r.diagnostics.training_epochs = 1000;
   r.diagnostics.models_tried = 7;
   r.diagnostics.robust_scale = 0.25;
@@ -121,6 +123,7 @@ TEST(Json, ReadsBackWhatItWroteToTheLastBit) {
     EXPECT_EQ(read.coefficients[k].value, written.coefficients[k].value);
     EXPECT_EQ(read.coefficients[k].p, written.coefficients[k].p);
   }
+  EXPECT_TRUE(read.coefficients[2].left_out);
   EXPECT_EQ(read.coefficients[2].reason, written.coefficients[2].reason);
   EXPECT_EQ(read.covariance, written.covariance);
   EXPECT_EQ(read.network->weights, written.network->weights);
@@ -128,6 +131,7 @@ TEST(Json, ReadsBackWhatItWroteToTheLastBit) {
   EXPECT_EQ(read.history[0].values, written.history[0].values);
   EXPECT_EQ(read.diagnostics.notes, written.diagnostics.notes);
   EXPECT_EQ(read.diagnostics.robust_scale, written.diagnostics.robust_scale);
+  EXPECT_EQ(read.diagnostics.iterations, written.diagnostics.iterations);
   EXPECT_EQ(read.diagnostics.optimum_rmse_ratio, written.diagnostics.optimum_rmse_ratio);
   EXPECT_EQ(read.diagnostics.optimum_distance, written.diagnostics.optimum_distance);
   ASSERT_EQ(read.diagnostics.hidden_search.size(), 1U);
