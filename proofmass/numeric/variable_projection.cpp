@@ -53,7 +53,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 16.0 * kEpsilon;
 
 // Columns of D may be this many times as long as their projections off q before rounding shows in those.
-constexpr double kCancellation = 1e4;
+constexpr double kCancellation = 2;
 constexpr int kProjections = 3;
 
 const ColumnBlock kNoColumns;
