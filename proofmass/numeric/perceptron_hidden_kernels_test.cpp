@@ -97,14 +97,20 @@ struct Case {
     return result;
   }
 
-  // The derivatives of the output by the hidden weights, less q * projection.
-  [[nodiscard]] Columns projected() const {
+  // The derivatives of the output by the hidden weights.
+  [[nodiscard]] Columns jacobian() const {
     Columns columns(shape.hidden_weights());
     for (std::size_t row = 0; row < samples.rows(); ++row) {
       const RealVector gradient =
           test::scalar_hidden_gradient(shape, weights, output(), test::sample_inputs(samples, row));
       for (std::size_t c = 0; c < columns.size(); ++c) columns[c].push_back(gradient[c]);
     }
+    return columns;
+  }
+
+  // Those less q * projection.
+  [[nodiscard]] Columns projected() const {
+    Columns columns = jacobian();
     const Columns basis = q();
     for (std::size_t c = 0; c < columns.size(); ++c) {
       for (std::size_t k = 0; k < basis.size(); ++k) {
@@ -216,10 +222,17 @@ TEST_P(HiddenKernels, CurvatureIsThatOfTheScalarNetwork) {
         second[0][row] += 2 * (1 - h * h) * dz * (dv - c.output()[j] * h * dz);
       }
     }
-    std::vector<double> p_second(c.shape.hidden_weights());
-    perceptron_curvature(c.shape, c.weights, direction, c.samples, c.fixed, c.transform, c.projection,
-                         p_second);
-    expect_products(c.projected(), second, column(p_second), "p");
+    const std::vector<double> removed =
+        random.index(2) == 0 ? std::vector<double>() : test::random_vector(c.transform.columns(), random);
+    const Columns q = c.q();
+    for (std::size_t k = 0; k < removed.size(); ++k) {
+      for (std::size_t row = 0; row < c.samples.rows(); ++row) second[0][row] -= q[k][row] * removed[k];
+    }
+    std::vector<double> d_second(c.shape.hidden_weights()), q_second(c.transform.columns());
+    perceptron_curvature(c.shape, c.weights, direction, c.samples, c.fixed, c.transform, removed, d_second,
+                         q_second);
+    expect_products(c.jacobian(), second, column(d_second), "d");
+    expect_products(q, second, column(q_second), "q");
   }
 }
 

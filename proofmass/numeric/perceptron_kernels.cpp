@@ -141,9 +141,11 @@ void perceptron_products(const PerceptronShape& shape, std::span<const double> w
 
 void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,
                           std::span<const double> direction, const Samples& samples, const ColumnBlock& fixed,
-                          const Matrix& transform, const Matrix& projection, std::span<double> p_second) {
+                          const Matrix& transform, std::span<const double> removed,
+                          std::span<double> d_second, std::span<double> q_second) {
   HWY_DYNAMIC_DISPATCH(Curvature)
-  (shape, weights.data(), direction.data(), samples, fixed, transform, projection, p_second.data());
+  (shape, weights.data(), direction.data(), samples, fixed, transform, removed, d_second.data(),
+   q_second.data());
 }
 
 void tanh_of(std::span<const double> z, std::span<double> result) {

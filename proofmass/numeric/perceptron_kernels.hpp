@@ -76,10 +76,12 @@ void perceptron_products(const PerceptronShape& shape, std::span<const double> w
                          const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
                          const Matrix& projection, PerceptronProducts& products);
 
-// With s the second derivative of the output along `direction` (of all weights): p_second = Pᵀs.
+// With s the second derivative of the output along `direction` (of all weights), less q * removed (which may
+// be empty): d_second = Dᵀs, q_second = qᵀs.
 void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,
                           std::span<const double> direction, const Samples& samples, const ColumnBlock& fixed,
-                          const Matrix& transform, const Matrix& projection, std::span<double> p_second);
+                          const Matrix& transform, std::span<const double> removed,
+                          std::span<double> d_second, std::span<double> q_second);
 
 // The hyperbolic tangent of each value, as all kernels here take it.
 void tanh_of(std::span<const double> z, std::span<double> result);

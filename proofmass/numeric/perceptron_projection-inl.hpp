@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -30,13 +31,15 @@ namespace HWY_NAMESPACE {
 // * transform, the error. With an empty projection P has no columns.
 class ProjectedColumns {
  public:
+  // `slopes`: whether they are wanted even so.
   ProjectedColumns(const Network& network, const Samples& samples, const Matrix& transform,
-                   const Matrix& projection)
+                   const Matrix& projection, bool slopes = false)
       : network_(network),
         samples_(samples),
         transform_(transform),
         projection_(projection),
         p_(projection.columns()),
+        slopes_(slopes || p_ > 0),
         phi_(transform.columns()) {}
 
   [[nodiscard]] std::size_t count() const { return p_ + transform_.columns() + 1; }
@@ -45,7 +48,7 @@ class ProjectedColumns {
   void start(double* storage) {
     columns_ = storage;
     hidden_.activation = storage + count() * kStride;
-    hidden_.slope = p_ > 0 ? hidden_.activation + network_.shape.hidden * kStride : nullptr;
+    hidden_.slope = slopes_ ? hidden_.activation + network_.shape.hidden * kStride : nullptr;
     hidden_.error = storage + (count() - 1) * kStride;
     for (std::size_t j = 0; j < network_.shape.hidden; ++j) phi_[j] = hidden_.activation + j * kStride;
   }
@@ -72,6 +75,7 @@ class ProjectedColumns {
   const Matrix& transform_;
   const Matrix& projection_;
   std::size_t p_;
+  bool slopes_;
   std::vector<const double*> phi_;
   double* columns_ = nullptr;
   HiddenColumns hidden_{};
@@ -137,31 +141,63 @@ void SecondDerivative(const Network& network, const double* direction, const Sam
   ClearPadding(second, samples.rows() - first, rows);
 }
 
+// column -= q * coefficients.
+void SubtractColumns(const double* q, std::span<const double> coefficients, std::size_t rows,
+                     double* column) {
+  for (const double coefficient : coefficients) {
+    const V factor = hn::Set(kD, coefficient);
+    for (std::size_t at = 0; at < rows; at += kLanes) {
+      hn::StoreU(hn::NegMulAdd(factor, hn::LoadU(kD, q + at), hn::LoadU(kD, column + at)), kD, column + at);
+    }
+    q += kStride;
+  }
+}
+
 void Curvature(const PerceptronShape& shape, const double* weights, const double* direction,
                const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
-               const Matrix& projection, double* p_second) {
+               std::span<const double> removed, double* d_second, double* q_second) {
   const Network network{shape, weights, fixed};
-  ProjectedColumns columns(network, samples, transform, projection);
-  const std::size_t p = projection.columns();
-  ProductSums sums(1, p, false);
-  double* const storage = kernel_scratch(sums.storage() + kStride + columns.storage());
-  std::fill_n(storage, sums.storage(), 0.0);
-  sums.start(storage);
-  double* const second = storage + sums.storage();
-  columns.start(second + kStride);
-  sums.left[0] = {second, nullptr};
-  sums.right = columns.column(0);
+  const Matrix none;
+  ProjectedColumns columns(network, samples, transform, none, true);
+  const std::size_t inputs = shape.inputs;
+  const std::size_t n = transform.columns();
+  ProductSums by_weight(shape.hidden, inputs + 1, false), by_output(1, n, false);
+  double* const storage =
+      kernel_scratch(by_weight.storage() + by_output.storage() + columns.storage() + (inputs + 2) * kStride);
+  std::fill_n(storage, by_weight.storage() + by_output.storage(), 0.0);
+  by_weight.start(storage);
+  by_output.start(storage + by_weight.storage());
+  double* const second = storage + by_weight.storage() + by_output.storage();
+  double* const input = second + kStride;  // the inputs, then ones
+  columns.start(input + (inputs + 1) * kStride);
+  for (std::size_t j = 0; j < shape.hidden; ++j) {
+    by_weight.left[j] = {second, columns.hidden().slope + j * kStride};
+  }
+  by_weight.right = input;
+  by_output.left[0] = {second, nullptr};
+  by_output.right = columns.column(0);
   for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
     const std::size_t rows = std::min(kBlockRows, samples.padded_rows() - first);
     columns.fill(first, rows);
-    WithInputs(shape.inputs, [&](auto inputs) HWY_ATTR {
-      SecondDerivative<decltype(inputs)::value>(network, direction, samples, first, rows, columns.hidden(),
-                                                second);
+    WithInputs(inputs, [&](auto count) HWY_ATTR {
+      SecondDerivative<decltype(count)::value>(network, direction, samples, first, rows, columns.hidden(),
+                                               second);
     });
-    sums.add(rows);
+    SubtractColumns(columns.column(0), removed, rows, second);
+    for (std::size_t k = 0; k < inputs; ++k) {
+      std::copy_n(samples.input_data(k) + first, rows, input + k * kStride);
+    }
+    std::copy_n(samples.mask_data() + first, rows, input + inputs * kStride);
+    by_weight.add(rows);
+    by_output.add(rows);
   }
-  sums.finish();
-  for (std::size_t c = 0; c < p; ++c) p_second[c] = sums.total(0, c);
+  by_weight.finish();
+  by_output.finish();
+  for (std::size_t j = 0; j < shape.hidden; ++j) {
+    for (std::size_t k = 0; k < inputs; ++k) d_second[j * inputs + k] = by_weight.total(j, k);
+    d_second[shape.hidden * inputs + j] = by_weight.total(j, inputs);
+  }
+  for (std::size_t c = 0; c < n; ++c) q_second[c] = by_output.total(0, c);
 }
 
 }  // namespace HWY_NAMESPACE

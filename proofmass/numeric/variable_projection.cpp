@@ -262,8 +262,15 @@ bool SeparablePerceptron::curvature(std::span<const double> direction, const Mat
 
   std::vector<double> weights = current_.hidden_weights;
   weights.insert(weights.end(), current_.output_weights.begin(), current_.output_weights.end());
-  perceptron_curvature(shape_, weights, along, samples_, fixed_, current_.transform, projection_, result);
-  return std::all_of(result.begin(), result.end(), [](double x) { return std::isfinite(x); });
+  // Most of s lies in q. A first pass finds that part, a second takes it away before it multiplies.
+  std::vector<double> removed(columns()), qs(columns());
+  perceptron_curvature(shape_, weights, along, samples_, fixed_, current_.transform, {}, result, qs);
+  const Eigen::Map<const Eigen::VectorXd> q_second(qs.data(), n);
+  Eigen::Map<Eigen::VectorXd>(removed.data(), n) = cview(current_.gram_inverse) * q_second;
+  perceptron_curvature(shape_, weights, along, samples_, fixed_, current_.transform, removed, result, qs);
+  Eigen::Map<Eigen::VectorXd> second(result.data(), p);
+  second -= cview(projection_).transpose() * q_second;
+  return second.allFinite();
 }
 
 }  // namespace proofmass
