@@ -186,6 +186,9 @@ TEST_P(HiddenKernels, ProductsAreThoseOfTheColumns) {
     expect_products(p, p, products.pp, "pp");
     expect_products(p, q, products.pq, "pq");
     expect_products(p, e, column(products.pe), "pe");
+    Matrix dq(c.shape.hidden_weights(), q.size());
+    perceptron_cross_products(c.shape, c.weights, c.samples, c.fixed, c.transform, dq);
+    expect_products(c.jacobian(), q, dq, "dq");
     expect_products(e, e, column({products.ee}), "ee");
     for (std::size_t i = 0; i < p.size(); ++i) {
       for (std::size_t k = 0; k < p.size(); ++k) ASSERT_EQ(products.pp(i, k), products.pp(k, i));

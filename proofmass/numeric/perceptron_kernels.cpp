@@ -102,6 +102,7 @@ HWY_EXPORT(Forward);
 HWY_EXPORT(Activations);
 HWY_EXPORT(NormalEquations);
 HWY_EXPORT(SumProducts);
+HWY_EXPORT(CrossProducts);
 HWY_EXPORT(Curvature);
 HWY_EXPORT(Target);
 
@@ -137,6 +138,12 @@ void perceptron_products(const PerceptronShape& shape, std::span<const double> w
                          const Matrix& projection, PerceptronProducts& products) {
   HWY_DYNAMIC_DISPATCH(SumProducts)
   (shape, weights.data(), samples, fixed, transform, projection, products);
+}
+
+void perceptron_cross_products(const PerceptronShape& shape, std::span<const double> weights,
+                               const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
+                               Matrix& dq) {
+  HWY_DYNAMIC_DISPATCH(CrossProducts)(shape, weights.data(), samples, fixed, transform, dq);
 }
 
 void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,

@@ -76,6 +76,11 @@ void perceptron_products(const PerceptronShape& shape, std::span<const double> w
                          const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
                          const Matrix& projection, PerceptronProducts& products);
 
+// dq = Dᵀq, hidden weights by columns of q.
+void perceptron_cross_products(const PerceptronShape& shape, std::span<const double> weights,
+                               const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
+                               Matrix& dq);
+
 // With s the second derivative of the output along `direction` (of all weights), less q * removed (which may
 // be empty): d_second = Dᵀs, q_second = qᵀs.
 void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,

@@ -115,6 +115,38 @@ void SumProducts(const PerceptronShape& shape, const double* weights, const Samp
   products.ee = sums.total(p + n, p + n);
 }
 
+// Dᵀq: the slope of each unit with each input and one, times the columns of q.
+void CrossProducts(const PerceptronShape& shape, const double* weights, const Samples& samples,
+                   const ColumnBlock& fixed, const Matrix& transform, Matrix& dq) {
+  const Network network{shape, weights, fixed};
+  const Matrix none;
+  ProjectedColumns columns(network, samples, transform, none, true);
+  const std::size_t inputs = shape.inputs;
+  const std::size_t n = transform.columns();
+  ProductSums sums(shape.hidden * (inputs + 1), n, false);
+  double* const storage = kernel_scratch(sums.storage() + columns.storage());
+  std::fill_n(storage, sums.storage(), 0.0);
+  sums.start(storage);
+  columns.start(storage + sums.storage());
+  sums.right = columns.column(0);
+  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
+    const std::size_t rows = std::min(kBlockRows, samples.padded_rows() - first);
+    columns.fill(first, rows);
+    for (std::size_t j = 0; j < shape.hidden; ++j) {
+      const double* const slope = columns.hidden().slope + j * kStride;
+      for (std::size_t k = 0; k < inputs; ++k) {
+        sums.left[j * inputs + k] = {slope, samples.input_data(k) + first};
+      }
+      sums.left[shape.hidden * inputs + j] = {slope, samples.mask_data() + first};
+    }
+    sums.add(rows);
+  }
+  sums.finish();
+  for (std::size_t r = 0; r < sums.left.size(); ++r) {
+    for (std::size_t c = 0; c < n; ++c) dq(r, c) = sums.total(r, c);
+  }
+}
+
 // Second derivative of the output along `direction`, for the block of rows from `first` on: a unit with
 // argument z and dz along the direction gives 2 dz (dv (1 - h²) - slope h dz).
 template <std::size_t kInputs>

@@ -52,10 +52,6 @@ constexpr double kIndependent = 1e-12;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 16.0 * kEpsilon;
 
-// Columns of D may be this many times as long as their projections off q before rounding shows in those.
-constexpr double kCancellation = 2;
-constexpr int kProjections = 3;
-
 const ColumnBlock kNoColumns;
 const Matrix kNoProjection;
 
@@ -110,7 +106,6 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
       fixed_(fixed),
       products_(shape, fixed.columns()),
       projection_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
-      transform_(shape.output_weights() + fixed.columns(), shape.output_weights() + fixed.columns()),
       de_(shape.hidden_weights()) {
   const std::size_t n = shape.output_weights() + fixed.columns();
   for (Solution* solution : {&current_, &trial_}) {
@@ -121,10 +116,15 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
   }
 }
 
-void SeparablePerceptron::sum_products(const Solution& solution, const Matrix& projection) {
+std::vector<double> SeparablePerceptron::all_weights(const Solution& solution) {
   std::vector<double> weights = solution.hidden_weights;
   weights.insert(weights.end(), solution.output_weights.begin(), solution.output_weights.end());
-  perceptron_products(shape_, weights, samples_, fixed_, solution.transform, projection, products_);
+  return weights;
+}
+
+void SeparablePerceptron::sum_products(const Solution& solution, const Matrix& projection) {
+  perceptron_products(shape_, all_weights(solution), samples_, fixed_, solution.transform, projection,
+                      products_);
   for (std::size_t c = 0; c < columns(); ++c) {
     if (solution.transform(c, c) == 0.0) products_.qq(c, c) = 1.0;  // left out before
   }
@@ -183,7 +183,7 @@ void SeparablePerceptron::predict(std::span<const double> hidden_weights,
   const Eigen::Map<const Eigen::VectorXd> to(hidden_weights.data(), p);
   const Eigen::Map<const Eigen::VectorXd> from(current_.hidden_weights.data(), p);
   Eigen::Map<Eigen::VectorXd>(output_weights.data(), cview(projection_).rows()) -=
-      cview(transform_) * (cview(projection_) * (to - from));
+      cview(current_.transform) * (cview(projection_) * (to - from));
 }
 
 double SeparablePerceptron::evaluate(std::span<const double> hidden_weights) {
@@ -202,37 +202,26 @@ void SeparablePerceptron::accept() {
   linearised_ = false;
 }
 
-// With P = D - q C, C = (qᵀq)⁻¹ qᵀD, the residual's Jacobian is -P. What is left of most columns of D is a
-// small part of them, and PᵀP from DᵀD and Dᵀq would be rounding. So the pass subtracts what the last
-// linearisation tells of C, which leaves little to be taken away afterwards, or passes again.
+// With P = D - q C, C = (qᵀq)⁻¹ qᵀD, the residual's Jacobian is -P. What is left of a column of D is often a
+// millionth of it: PᵀP from DᵀD and Dᵀq would be rounding. So a first pass finds C, a second sums what is
+// left, and says by Pᵀq what rounding has left of q in it.
 void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
   const auto p = static_cast<Eigen::Index>(shape_.hidden_weights());
   const auto size = static_cast<Eigen::Index>(columns());
   auto c = view(projection_);
-  if (cview(current_.transform).diagonal().cwiseAbs().minCoeff() > 0.0) {
-    c = cview(current_.transform).triangularView<Eigen::Upper>().solve(cview(transform_) * c);
-  } else {
-    c.setZero();
-  }
-  transform_ = current_.transform;
-  for (int pass = 1; pass <= kProjections; ++pass) {
-    sum_products(current_, projection_);
-    const Eigen::MatrixXd correction = cview(current_.gram_inverse) * cview(products_.pq).transpose();
-    c += correction;
-    const Eigen::VectorXd before = cview(products_.pp).diagonal();
-    view(normal) = cview(products_.pp);
-    view(normal).noalias() -= cview(products_.pq) * correction;
-    const Eigen::Map<const Eigen::VectorXd> pe(products_.pe.data(), p);
-    const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
-    Eigen::Map<Eigen::VectorXd>(gradient.data(), p) = correction.transpose() * qe - pe;
-    const auto after = view(normal).diagonal();
-    if ((before.array() <= kCancellation * kCancellation * after.array()).all()) break;
-  }
-  // Dᵀe = Pᵀe + Cᵀqᵀe with the P and C of the pass.
+  const std::vector<double> weights = all_weights(current_);
+  perceptron_cross_products(shape_, weights, samples_, fixed_, current_.transform, products_.pq);
+  c.noalias() = cview(current_.gram_inverse) * cview(products_.pq).transpose();
+  sum_products(current_, projection_);
+  const Eigen::MatrixXd correction = cview(current_.gram_inverse) * cview(products_.pq).transpose();
+  c += correction;
+  view(normal) = cview(products_.pp);
+  view(normal).noalias() -= cview(products_.pq) * correction;
+  const Eigen::Map<const Eigen::VectorXd> pe(products_.pe.data(), p);
   const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
-  de_.resize(shape_.hidden_weights());
-  Eigen::Map<Eigen::VectorXd>(de_.data(), p) =
-      c.transpose() * qe - Eigen::Map<const Eigen::VectorXd>(gradient.data(), p);
+  Eigen::Map<Eigen::VectorXd> g(gradient.data(), p);
+  g = correction.transpose() * qe - pe;
+  Eigen::Map<Eigen::VectorXd>(de_.data(), p) = c.transpose() * qe - g;
   linearised_ = true;
 }
 
@@ -260,8 +249,7 @@ bool SeparablePerceptron::curvature(std::span<const double> direction, const Mat
   Eigen::Map<Eigen::VectorXd>(along.data() + p, n) =
       transform * (cview(current_.gram_inverse) * (transform.transpose() * moved) - cview(projection_) * v);
 
-  std::vector<double> weights = current_.hidden_weights;
-  weights.insert(weights.end(), current_.output_weights.begin(), current_.output_weights.end());
+  const std::vector<double> weights = all_weights(current_);
   // Most of s lies in q. A first pass finds that part, a second takes it away before it multiplies.
   std::vector<double> removed(columns()), qs(columns());
   perceptron_curvature(shape_, weights, along, samples_, fixed_, current_.transform, {}, result, qs);

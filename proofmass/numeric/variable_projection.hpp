@@ -50,6 +50,7 @@ class SeparablePerceptron final : public SumOfSquares {
   // Solves for the output layer from the guess that the solution holds, until the relative error of the sum
   // of squares is below the tolerance.
   double solve(std::span<const double> hidden_weights, double tolerance, Solution& solution);
+  [[nodiscard]] static std::vector<double> all_weights(const Solution& solution);
   void sum_products(const Solution& solution, const Matrix& projection);
   // Output weights that the linearisation at the current point expects elsewhere.
   void predict(std::span<const double> hidden_weights, std::vector<double>& output_weights) const;
@@ -59,11 +60,9 @@ class SeparablePerceptron final : public SumOfSquares {
   const ColumnBlock& fixed_;
   Solution current_, trial_;
   PerceptronProducts products_;
-  // The last linearisation: D less its projection onto q is P.
   bool linearised_ = false;  // at the current point
-  Matrix projection_;        // (qᵀq)⁻¹ qᵀD; columns of q by hidden weights
-  Matrix transform_;         // of that q
-  std::vector<double> de_;   // Dᵀe
+  Matrix projection_;        // (qᵀq)⁻¹ qᵀD there; columns of q by hidden weights
+  std::vector<double> de_;   // Dᵀe there
 };
 
 }  // namespace proofmass
