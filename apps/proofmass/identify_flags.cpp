@@ -127,6 +127,9 @@ void IdentifyFlags::add_network_options(CLI::App& verb) {
          [](Settings& s, Trainer trainer) { s.options.network.trainer = trainer; });
   whole(verb, "--epochs", 1, kMostIterations, "At most N training epochs a start (default 1000)",
         [](Settings& s, std::uint64_t n) { s.options.network.epochs = n; });
+  whole(verb, "--kicks", 0, kMostIterations,
+        "Perturbations in a row without gain that end the training, of varpro (default 2)",
+        [](Settings& s, std::uint64_t n) { s.options.network.kicks = n; });
   whole(verb, "--starts", 1, kMostParticles,
         "Random starts of bp; the best few are trained to the end (default 1)",
         [](Settings& s, std::uint64_t n) { s.options.network.starts = n; });

@@ -23,6 +23,7 @@ void describe(const NetworkOptions& network, Entries& entries) {
                                  {"search-repeats", text_of(network.search_repeats)},
                                  {"trainer", word_of(kTrainerWords, network.trainer)},
                                  {"epochs", text_of(network.epochs)},
+                                 {"kicks", text_of(network.kicks)},
                                  {"starts", text_of(network.starts)},
                                  {"start-epochs", text_of(network.start_epochs)},
                                  {"mu", text_of(network.mu)},

@@ -11,6 +11,7 @@
 #include "proofmass/identify/network_result.hpp"
 #include "proofmass/identify/network_starts.hpp"
 #include "proofmass/numeric/parallel.hpp"
+#include "proofmass/numeric/random.hpp"
 
 namespace proofmass {
 namespace {
@@ -26,7 +27,8 @@ std::vector<TrainingState> best_starts(const NetworkTask& task, const NetworkTra
   std::size_t started = 0;
   parallel_for(states.size(), [&](std::size_t i) {
     if (progress.cancelled()) return;
-    states[i] = trainer.start(random_start(task.shape, network.trainer, options.seed, i));
+    states[i] = trainer.start(random_start(task.shape, network.trainer, options.seed, i),
+                              RandomStream(options.seed, stream_id("kick", i)));
     if (states.size() > 1) trainer.train(states[i], network.start_epochs, keep_going);
     const std::lock_guard lock(reporting);
     progress.update("starts", ++started, states.size());

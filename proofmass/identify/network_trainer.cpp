@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -36,9 +37,14 @@ LevenbergMarquardtOptions projected() {
           .geodesic_acceleration = true,
           .mu = 0.1,
           .mu_max = 1e16,
-          .stall_window = 100,
-          .stall_reduction = 1e-4};
+          .stall_window = 10,
+          .stall_reduction = 1e-2};
 }
+
+// A kick adds normal numbers of this standard deviation to the hidden weights, of inputs scaled to [-1, 1].
+constexpr double kKick = 0.1;
+// A kick has helped when training comes to rest at less than this share of the least sum of squares before.
+constexpr double kGain = 0.98;
 
 // Stops training when the validation error has not improved for some epochs, and remembers the best weights.
 class EarlyStopping {
@@ -73,11 +79,12 @@ NetworkTrainer::NetworkTrainer(const PerceptronShape& shape, const Samples& trai
                                const Samples* validation, const NetworkOptions& options)
     : shape_(shape), training_(training), validation_(validation), options_(options) {}
 
-TrainingState NetworkTrainer::start(std::vector<double> weights) const {
+TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream random) const {
   if (weights.size() == shape_.hidden_weights()) {
     weights = with_solved_output_layer(shape_, training_, std::move(weights));
   }
   TrainingState state;
+  state.random = random;
   state.weights = std::move(weights);
   state.point = state.weights;
   state.training_rmse = root_mean(perceptron_sse(shape_, state.weights, training_), training_);
@@ -90,20 +97,36 @@ TrainingState NetworkTrainer::start(std::vector<double> weights) const {
   return state;
 }
 
+bool NetworkTrainer::kick(TrainingState& state, double sum_of_squares) const {
+  if (options_.trainer != Trainer::varpro || validation_ != nullptr || options_.kicks == 0) return false;
+  const bool helped = sum_of_squares < kGain * state.settled;
+  state.settled = std::min(state.settled, sum_of_squares);
+  state.idle_kicks = helped ? 0 : state.idle_kicks + 1;
+  if (state.idle_kicks >= options_.kicks) return false;
+  ++state.kicks;
+  state.point = state.weights;
+  for (std::size_t k = 0; k < shape_.hidden_weights(); ++k) state.point[k] += kKick * state.random.normal();
+  state.mu = projected().mu;
+  return true;
+}
+
 void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
                            const std::function<bool()>& keep_going) const {
-  if (state.finished) return;
   const bool separable = options_.trainer == Trainer::varpro;
   LevenbergMarquardtOptions settings = separable ? projected() : textbook(options_);
-  settings.iterations = epochs;
-  settings.mu = state.mu;
-
-  SeparablePerceptron hidden(shape_, training_);
-  PerceptronProblem all(shape_, training_);
+  std::unique_ptr<SumOfSquares> problem;
+  const SeparablePerceptron* hidden = nullptr;
+  if (separable) {
+    auto reduced = std::make_unique<SeparablePerceptron>(shape_, training_);
+    hidden = reduced.get();
+    problem = std::move(reduced);
+  } else {
+    problem = std::make_unique<PerceptronProblem>(shape_, training_);
+  }
   const auto complete = [&](std::span<const double> point) {
     std::vector<double> weights(point.begin(), point.end());
-    if (separable)
-      weights.insert(weights.end(), hidden.output_weights().begin(), hidden.output_weights().end());
+    if (hidden != nullptr)
+      weights.insert(weights.end(), hidden->output_weights().begin(), hidden->output_weights().end());
     return weights;
   };
   std::unique_ptr<EarlyStopping> early;
@@ -117,21 +140,30 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
     return !stopped_early && keep_going();
   };
 
-  const std::span<const double> from(state.point.data(), separable ? hidden.parameters() : all.parameters());
-  SumOfSquares& problem = separable ? static_cast<SumOfSquares&>(hidden) : all;
-  const LevenbergMarquardtResult result = minimise(problem, from, settings, observe);
-  state.epochs += result.iterations;
-  state.mu = result.mu;
-  state.termination = result.termination;
-  state.finished = stopped_early || result.termination.cause != Cause::iteration_limit;
-  if (stopped_early) {
-    state.termination.reason =
-        fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
+  for (std::size_t left = epochs; left > 0 && !state.finished;) {
+    settings.iterations = left;
+    settings.mu = state.mu;
+    const std::span<const double> from(state.point.data(), problem->parameters());
+    const LevenbergMarquardtResult result = minimise(*problem, from, settings, observe);
+    state.epochs += result.iterations;
+    left -= std::min(left, std::max<std::size_t>(result.iterations, 1));
+    state.mu = result.mu;
+    state.termination = result.termination;
+    state.point = separable ? with_solved_output_layer(shape_, training_, result.point) : result.point;
+    const double rmse = root_mean(result.sum_of_squares, training_);
+    if (!early && !(rmse > state.training_rmse)) {
+      state.training_rmse = rmse;
+      state.weights = state.point;
+    }
+    const Cause cause = result.termination.cause;
+    if (cause == Cause::iteration_limit) return;
+    if (stopped_early) {
+      state.termination.reason =
+          fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
+    }
+    state.finished = cause == Cause::stopped || stopped_early || !kick(state, result.sum_of_squares);
   }
-  state.point = separable ? with_solved_output_layer(shape_, training_, result.point) : result.point;
-  if (early) return;
-  state.training_rmse = root_mean(result.sum_of_squares, training_);
-  state.weights = state.point;
+  if (state.kicks > 0) state.termination.reason += fmt::format(", also after {} perturbations", state.kicks);
 }
 
 double NetworkTrainer::merit(const TrainingState& state) const noexcept {

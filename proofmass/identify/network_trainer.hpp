@@ -8,6 +8,7 @@
 
 #include "proofmass/identify/options.hpp"
 #include "proofmass/numeric/perceptron.hpp"
+#include "proofmass/numeric/random.hpp"
 #include "proofmass/numeric/samples.hpp"
 #include "proofmass/numeric/termination.hpp"
 
@@ -15,17 +16,22 @@ namespace proofmass {
 
 // A network on its way through training.
 struct TrainingState {
-  std::vector<double> weights;  // all of them; those of the best validation epoch when there are such rows
-  std::vector<double> point;  // all of them, where training stands; equal to weights without validation rows
-  std::size_t failures = 0;   // successive epochs so far without a better validation error
+  std::vector<double> weights;  // all of them, the best so far: by the validation rows if there are any
+  std::vector<double> point;    // all of them, where training stands
+  std::size_t failures = 0;     // successive epochs so far without a better validation error
   double training_rmse = std::numeric_limits<double>::infinity();  // of the scaled output
   double validation_rmse =
       std::numeric_limits<double>::infinity();  // likewise; infinite without validation rows
   std::vector<double> training_curve;           // rmse at the start and after each epoch
   std::vector<double> validation_curve;         // likewise; empty without validation rows
   std::size_t epochs = 0;
-  double mu = 0.0;        // damping to go on with
-  bool finished = false;  // further epochs would change nothing
+  double mu = 0.0;             // damping to go on with
+  std::size_t kicks = 0;       // perturbations so far
+  std::size_t idle_kicks = 0;  // the last of them, without gain
+  double settled =
+      std::numeric_limits<double>::infinity();  // least sum of squares that training came to rest at
+  RandomStream random{0};                       // for the kicks
+  bool finished = false;                        // further epochs would change nothing
   Termination termination;
 };
 
@@ -37,13 +43,20 @@ class NetworkTrainer {
                  const NetworkOptions& options);
 
   // A network to train from hidden weights alone (the output layer is then solved) or from all weights.
-  [[nodiscard]] TrainingState start(std::vector<double> weights) const;
-  // Up to `epochs` further epochs. `keep_going` is asked after each.
+  // `random` is for perturbations.
+  [[nodiscard]] TrainingState start(std::vector<double> weights,
+                                    RandomStream random = RandomStream(0, stream_id("kick"))) const;
+  // Up to `epochs` further epochs. `keep_going` is asked after each. With variable projection and no
+  // validation rows, training that comes to rest is perturbed and goes on, until `kicks` perturbations in a
+  // row have not helped: near-degenerate units with huge output weights, whose rounding hides further
+  // progress, come apart.
   void train(TrainingState& state, std::size_t epochs, const std::function<bool()>& keep_going) const;
   // What candidates are compared by: the validation error where there is one, otherwise the training error.
   [[nodiscard]] double merit(const TrainingState& state) const noexcept;
 
  private:
+  [[nodiscard]] bool kick(TrainingState& state, double sum_of_squares) const;
+
   PerceptronShape shape_;
   const Samples& training_;
   const Samples* validation_;

@@ -16,6 +16,7 @@
 #include "proofmass/identify/network_starts.hpp"
 #include "proofmass/identify/swarm_fitness.hpp"
 #include "proofmass/numeric/particle_swarm.hpp"
+#include "proofmass/numeric/random.hpp"
 
 namespace proofmass {
 namespace {
@@ -62,9 +63,9 @@ SwarmSettings settings_of(const SwarmOptions& options, const std::vector<std::ve
           .target = options.target};
 }
 
-// The best particles, leaving out those that are one network in another guise, at most `count`.
+// The best particles, leaving out those that are one network in another guise.
 std::vector<TrainingState> diverse_particles(const NetworkTask& task, const NetworkTrainer& trainer,
-                                             const SwarmResult& swarm, std::size_t count) {
+                                             const SwarmResult& swarm, const IdentifyOptions& options) {
   std::vector<std::size_t> order(swarm.positions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -72,8 +73,8 @@ std::vector<TrainingState> diverse_particles(const NetworkTask& task, const Netw
   std::vector<TrainingState> chosen;
   std::vector<std::vector<double>> guises;
   for (const std::size_t i : order) {
-    if (chosen.size() == count) break;
-    TrainingState state = trainer.start(swarm.positions[i]);
+    if (chosen.size() == options.swarm.refined) break;
+    TrainingState state = trainer.start(swarm.positions[i], RandomStream(options.seed, stream_id("kick", i)));
     std::vector<double> guise = canonical_weights(task.shape, state.weights);
     const auto same = [&](const std::vector<double>& other) {
       double difference = 0.0;
@@ -119,7 +120,7 @@ Identification identify_pso_bp(const Dataset& training, const Dataset& validatio
                                               std::move(initial), settings, options.seed, observe);
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
 
-  std::vector<TrainingState> particles = diverse_particles(task, trainer, swarm, options.swarm.refined);
+  std::vector<TrainingState> particles = diverse_particles(task, trainer, swarm, options);
   Refinement refinement =
       refine(trainer, std::move(particles),
              {.epochs = options.network.epochs, .good_enough = task.good_enough()}, progress);
