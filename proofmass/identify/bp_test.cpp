@@ -46,7 +46,8 @@ TEST(Bp, OneStartIsTheTextbookMethod) {
     const Identification result = identify(record, options);
     const NetworkTask task = prepare_network(record, {}, options);
     const NetworkTrainer trainer(task.shape, task.samples, nullptr, options.network);
-    TrainingState state = trainer.start(random_start(task.shape, kind, options.seed, 0));
+    TrainingState state = trainer.start(random_start(task.shape, kind, options.seed, 0),
+                                        RandomStream(options.seed, stream_id("kick", 0)));
     trainer.train(state, options.network.epochs, test::always);
     EXPECT_EQ(result.network->weights, canonical_weights(task.shape, state.weights));
     EXPECT_EQ(result.diagnostics.training_epochs, state.epochs);

@@ -135,8 +135,9 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
   }
   bool stopped_early = false;
   const auto observe = [&](std::size_t, std::span<const double> point, double sum_of_squares) {
-    state.training_curve.push_back(root_mean(sum_of_squares, training_));
-    stopped_early = early && !early->improve(complete(point), state.training_curve.back());
+    const double rmse = root_mean(sum_of_squares, training_);
+    state.training_curve.push_back(std::min(rmse, state.training_curve.back()));
+    stopped_early = early && !early->improve(complete(point), rmse);
     return !stopped_early && keep_going();
   };
 

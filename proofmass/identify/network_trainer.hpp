@@ -22,7 +22,7 @@ struct TrainingState {
   double training_rmse = std::numeric_limits<double>::infinity();  // of the scaled output
   double validation_rmse =
       std::numeric_limits<double>::infinity();  // likewise; infinite without validation rows
-  std::vector<double> training_curve;           // rmse at the start and after each epoch
+  std::vector<double> training_curve;           // rmse at the start and, the best so far, after each epoch
   std::vector<double> validation_curve;         // likewise; empty without validation rows
   std::size_t epochs = 0;
   double mu = 0.0;             // damping to go on with

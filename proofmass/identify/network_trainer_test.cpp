@@ -60,6 +60,35 @@ TEST_P(EachTrainer, NeverGetsWorseAndTellsItsError) {
   EXPECT_TRUE(state.validation_curve.empty());
 }
 
+TEST(VariableProjection, IsKickedUntilThatNoLongerHelps) {
+  const Overfitting data;
+  const std::vector<double> start = random_start(kShape, Trainer::varpro, 1, 0);
+  NetworkOptions options;
+  options.kicks = 0;
+  const NetworkTrainer calm(kShape, data.samples, nullptr, options);
+  TrainingState at_rest = calm.start(start);
+  calm.train(at_rest, 3000, test::always);
+  EXPECT_EQ(at_rest.kicks, 0U);
+  EXPECT_TRUE(at_rest.finished);
+
+  options.kicks = 2;
+  const NetworkTrainer trainer(kShape, data.samples, nullptr, options);
+  TrainingState whole = trainer.start(start);
+  trainer.train(whole, 3000, test::always);
+  EXPECT_TRUE(whole.finished);
+  EXPECT_GE(whole.kicks, 2U);
+  EXPECT_EQ(whole.idle_kicks, 2U);
+  EXPECT_LE(whole.training_rmse, at_rest.training_rmse);
+  EXPECT_NEAR(whole.training_rmse, rmse(whole.weights, data.samples), 1e-9 * whole.training_rmse);
+  EXPECT_EQ(whole.training_curve.back(), whole.training_rmse);
+
+  // Validation rows stop training in another way.
+  const NetworkTrainer watched(kShape, data.samples, &data.validation, options);
+  TrainingState state = watched.start(start);
+  watched.train(state, 3000, test::always);
+  EXPECT_EQ(state.kicks, 0U);
+}
+
 TEST_P(EachTrainer, StopsEarlyAndKeepsTheBestValidationWeights) {
   const NetworkTrainer trainer(kShape, data_.samples, &data_.validation, options_);
   TrainingState state = trainer.start(start_);
