@@ -55,6 +55,7 @@ def shares(results, rows):
     table = []
     for name, section, contestant, operations in (
         ("forward", "forward", "Proofmass", bounds.forward(3, 7)),
+        ("epoch's kernels", "epoch", "Proofmass, kernels of one trial", bounds.kernels(3, 7)),
         ("epoch, lm", "epoch", "Proofmass, lm", bounds.epoch(3, 7, rows)),
     ):
         if section in results:

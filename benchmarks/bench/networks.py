@@ -48,6 +48,8 @@ def epoch(stable, plan, checks):
     data = {"data": plan.folder / "samples.csv", "starts": plan.folder / "starts.csv"}
     answers = interleave(stable, contestants, plan.rounds, "train", epochs=30, seconds=plan.seconds, **data)
     check.stated_rmse(checks, "epoch", answers, plan.folder)
+    kernels = [stable.ours("Proofmass, kernels of one trial")]
+    answers |= interleave(stable, kernels, plan.rounds, "kernels", seconds=plan.seconds, **data)
     textbook = [c for c in contestants if c.name in ("Proofmass, lm", "numpy loop", "Octave loop")]
     few = interleave(stable, textbook, 1, "train", epochs=4, seconds=0, **data)
     check.same_steps(checks, few, "Proofmass, lm")

@@ -24,6 +24,7 @@ Task on_one_thread(Answer (*task)(const Request&)) {
 int main(int argc, char** argv) {
   return contend(argc, argv,
                  {{"forward", on_one_thread(ours::forward)},
+                  {"kernels", on_one_thread(ours::kernels)},
                   {"train", on_one_thread(ours::train)},
                   {"least-squares", on_one_thread(ours::least_squares)},
                   {"read", on_one_thread(ours::read)}});

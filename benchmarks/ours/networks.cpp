@@ -3,6 +3,7 @@
 
 #include "ours/tasks.hpp"
 #include "proofmass/identify/network_trainer.hpp"
+#include "proofmass/numeric/matrix.hpp"
 #include "proofmass/numeric/perceptron_kernels.hpp"
 #include "proofmass/numeric/samples.hpp"
 
@@ -39,6 +40,25 @@ Answer forward(const Request& request) {
     }
   });
   answer.ns = 1e9 * answer.seconds / (rows * static_cast<double>(swarm.size()));
+  answer.values = rmse;
+  return answer;
+}
+
+// The kernels of an epoch with one trial, without the solution of its normal equations.
+Answer kernels(const Request& request) {
+  const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
+  const Samples samples = as_samples(read_samples(request));
+  const std::vector<Row> starts = read_table(request.starts);
+  proofmass::Matrix jtj(shape.parameters(), shape.parameters());
+  std::vector<double> jte(shape.parameters()), rmse(starts.size());
+  const auto rows = static_cast<double>(samples.rows());
+  Answer answer = measure(request.seconds, [&] {
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      (void)proofmass::perceptron_normal_equations(shape, starts[k], samples, jtj, jte);
+      rmse[k] = std::sqrt(proofmass::perceptron_sse(shape, starts[k], samples) / rows);
+    }
+  });
+  answer.ns = 1e9 * answer.seconds / (rows * static_cast<double>(starts.size()));
   answer.values = rmse;
   return answer;
 }

@@ -6,6 +6,7 @@
 namespace bench::ours {
 
 Answer forward(const Request& request);
+Answer kernels(const Request& request);
 Answer train(const Request& request);
 Answer least_squares(const Request& request);
 Answer read(const Request& request);
