@@ -41,6 +41,9 @@ LevenbergMarquardtOptions projected() {
           .stall_reduction = 1e-2};
 }
 
+// How training goes on from its best point once kicks no longer help: to a minimum.
+constexpr std::size_t kPolishWindow = 50;
+constexpr double kPolishReduction = 1e-5;
 // A kick adds normal numbers of this standard deviation to the hidden weights, of inputs scaled to [-1, 1].
 constexpr double kKick = 0.1;
 // A kick has helped when training comes to rest at less than this share of the least sum of squares before.
@@ -97,16 +100,17 @@ TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream ra
   return state;
 }
 
-bool NetworkTrainer::kick(TrainingState& state, double sum_of_squares) const {
-  if (options_.trainer != Trainer::varpro || validation_ != nullptr || options_.kicks == 0) return false;
+bool NetworkTrainer::go_on(TrainingState& state, double sum_of_squares) const {
+  if (options_.trainer != Trainer::varpro || validation_ != nullptr || state.polishing) return false;
   const bool helped = sum_of_squares < kGain * state.settled;
   state.settled = std::min(state.settled, sum_of_squares);
   state.idle_kicks = helped ? 0 : state.idle_kicks + 1;
-  if (state.idle_kicks >= options_.kicks) return false;
-  ++state.kicks;
+  state.polishing = state.idle_kicks >= options_.kicks;
   state.point = state.weights;
-  for (std::size_t k = 0; k < shape_.hidden_weights(); ++k) state.point[k] += kKick * state.random.normal();
   state.mu = projected().mu;
+  if (state.polishing) return true;
+  ++state.kicks;
+  for (std::size_t k = 0; k < shape_.hidden_weights(); ++k) state.point[k] += kKick * state.random.normal();
   return true;
 }
 
@@ -142,6 +146,10 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
   };
 
   for (std::size_t left = epochs; left > 0 && !state.finished;) {
+    if (state.polishing) {
+      settings.stall_window = kPolishWindow;
+      settings.stall_reduction = kPolishReduction;
+    }
     settings.iterations = left;
     settings.mu = state.mu;
     const std::span<const double> from(state.point.data(), problem->parameters());
@@ -162,7 +170,7 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
       state.termination.reason =
           fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
     }
-    state.finished = cause == Cause::stopped || stopped_early || !kick(state, result.sum_of_squares);
+    state.finished = cause == Cause::stopped || stopped_early || !go_on(state, result.sum_of_squares);
   }
   if (state.kicks > 0) state.termination.reason += fmt::format(", also after {} perturbations", state.kicks);
 }

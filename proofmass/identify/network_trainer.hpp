@@ -30,6 +30,7 @@ struct TrainingState {
   std::size_t idle_kicks = 0;  // the last of them, without gain
   double settled =
       std::numeric_limits<double>::infinity();  // least sum of squares that training came to rest at
+  bool polishing = false;                       // kicks are over
   RandomStream random{0};                       // for the kicks
   bool finished = false;                        // further epochs would change nothing
   Termination termination;
@@ -55,7 +56,8 @@ class NetworkTrainer {
   [[nodiscard]] double merit(const TrainingState& state) const noexcept;
 
  private:
-  [[nodiscard]] bool kick(TrainingState& state, double sum_of_squares) const;
+  // Moves a state that has come to rest at the sum of squares to where it goes on; false when it is done.
+  [[nodiscard]] bool go_on(TrainingState& state, double sum_of_squares) const;
 
   PerceptronShape shape_;
   const Samples& training_;
