@@ -106,12 +106,6 @@ HWY_EXPORT(CrossProducts);
 HWY_EXPORT(Curvature);
 HWY_EXPORT(Target);
 
-double* kernel_scratch(std::size_t size) {
-  thread_local AlignedColumn storage;
-  if (storage.size() < size) storage.resize(size);
-  return storage.data();
-}
-
 void perceptron_outputs(const PerceptronShape& shape, std::span<const double> weights, const Samples& samples,
                         std::span<double> outputs) {
   AlignedColumn padded(samples.padded_rows());

@@ -15,12 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "proofmass/numeric/kernel_scratch_internal.hpp"
 #include "proofmass/numeric/perceptron_kernels-inl.hpp"
-
-namespace proofmass {
-// Working storage of a pass, kept by each thread for its next one. What it holds is undefined.
-double* kernel_scratch(std::size_t size);
-}  // namespace proofmass
 
 HWY_BEFORE_NAMESPACE();
 namespace proofmass {
