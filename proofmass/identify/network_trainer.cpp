@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -88,6 +89,7 @@ TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream ra
   }
   TrainingState state;
   state.random = random;
+  state.polishing = validation_ != nullptr;  // whose rows end the training, without kicks
   state.weights = std::move(weights);
   state.point = state.weights;
   state.training_rmse = root_mean(perceptron_sse(shape_, state.weights, training_), training_);
@@ -114,69 +116,74 @@ bool NetworkTrainer::go_on(TrainingState& state, double sum_of_squares) const {
   return true;
 }
 
+LevenbergMarquardtOptions NetworkTrainer::settings_for(const TrainingState& state, std::size_t epochs) const {
+  LevenbergMarquardtOptions settings = options_.trainer == Trainer::varpro ? projected() : textbook(options_);
+  if (state.polishing) {
+    settings.stall_window = kPolishWindow;
+    settings.stall_reduction = kPolishReduction;
+  }
+  settings.iterations = epochs;
+  settings.mu = state.mu;
+  return settings;
+}
+
+void NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& state) const {
+  state.epochs += result.iterations;
+  state.mu = result.mu;
+  state.termination = std::move(result.termination);
+  state.point = options_.trainer == Trainer::varpro
+                    ? with_solved_output_layer(shape_, training_, std::move(result.point))
+                    : std::move(result.point);
+  const double rmse = root_mean(result.sum_of_squares, training_);
+  if (validation_ != nullptr || !(rmse <= state.training_rmse)) return;
+  state.training_rmse = rmse;
+  state.weights = state.point;
+}
+
 void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
                            const std::function<bool()>& keep_going) const {
+  if (state.finished) return;
+  SeparablePerceptron hidden(shape_, training_);
+  PerceptronProblem all(shape_, training_);
   const bool separable = options_.trainer == Trainer::varpro;
-  LevenbergMarquardtOptions settings = separable ? projected() : textbook(options_);
-  std::unique_ptr<SumOfSquares> problem;
-  const SeparablePerceptron* hidden = nullptr;
-  if (separable) {
-    auto reduced = std::make_unique<SeparablePerceptron>(shape_, training_);
-    hidden = reduced.get();
-    problem = std::move(reduced);
-  } else {
-    problem = std::make_unique<PerceptronProblem>(shape_, training_);
-  }
-  const auto complete = [&](std::span<const double> point) {
-    std::vector<double> weights(point.begin(), point.end());
-    if (hidden != nullptr)
-      weights.insert(weights.end(), hidden->output_weights().begin(), hidden->output_weights().end());
-    return weights;
-  };
-  std::unique_ptr<EarlyStopping> early;
-  if (validation_ != nullptr) {
-    early = std::make_unique<EarlyStopping>(shape_, *validation_, options_.validation_failures, state);
-  }
+  SumOfSquares& problem = separable ? static_cast<SumOfSquares&>(hidden) : all;
+  std::optional<EarlyStopping> early;
+  if (validation_ != nullptr) early.emplace(shape_, *validation_, options_.validation_failures, state);
   bool stopped_early = false;
   const auto observe = [&](std::size_t, std::span<const double> point, double sum_of_squares) {
     const double rmse = root_mean(sum_of_squares, training_);
     state.training_curve.push_back(std::min(rmse, state.training_curve.back()));
-    stopped_early = early && !early->improve(complete(point), rmse);
+    if (early) {
+      std::vector<double> weights(point.begin(), point.end());
+      const auto& output = hidden.output_weights();
+      if (separable) weights.insert(weights.end(), output.begin(), output.end());
+      stopped_early = !early->improve(std::move(weights), rmse);
+    }
     return !stopped_early && keep_going();
   };
 
   for (std::size_t left = epochs; left > 0 && !state.finished;) {
-    if (state.polishing) {
-      settings.stall_window = kPolishWindow;
-      settings.stall_reduction = kPolishReduction;
-    }
-    settings.iterations = left;
-    settings.mu = state.mu;
-    const std::span<const double> from(state.point.data(), problem->parameters());
-    const LevenbergMarquardtResult result = minimise(*problem, from, settings, observe);
-    state.epochs += result.iterations;
+    const std::span<const double> from(state.point.data(), problem.parameters());
+    LevenbergMarquardtResult result = minimise(problem, from, settings_for(state, left), observe);
     left -= std::min(left, std::max<std::size_t>(result.iterations, 1));
-    state.mu = result.mu;
-    state.termination = result.termination;
-    state.point = separable ? with_solved_output_layer(shape_, training_, result.point) : result.point;
-    const double rmse = root_mean(result.sum_of_squares, training_);
-    if (!early && !(rmse > state.training_rmse)) {
-      state.training_rmse = rmse;
-      state.weights = state.point;
-    }
-    const Cause cause = result.termination.cause;
-    if (cause == Cause::iteration_limit) return;
-    if (stopped_early) {
-      state.termination.reason =
-          fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
-    }
-    state.finished = cause == Cause::stopped || stopped_early || !go_on(state, result.sum_of_squares);
+    const double sum_of_squares = result.sum_of_squares;
+    take(std::move(result), state);
+    if (state.termination.cause == Cause::iteration_limit) return;
+    state.finished = state.termination.cause != Cause::stalled || !go_on(state, sum_of_squares);
   }
-  if (state.kicks > 0) state.termination.reason += fmt::format(", also after {} perturbations", state.kicks);
+  if (!state.finished) {
+    state.termination = {Cause::iteration_limit, "the epochs allowed are spent"};
+  } else if (stopped_early) {
+    state.termination.reason =
+        fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
+  } else if (state.kicks > 0 && state.termination.cause != Cause::stopped) {
+    state.termination.reason += fmt::format(", kicks ({}) having ceased to help", state.kicks);
+  }
 }
 
 double NetworkTrainer::merit(const TrainingState& state) const noexcept {
-  return validation_ != nullptr ? state.validation_rmse : state.training_rmse;
+  const double rmse = validation_ != nullptr ? state.validation_rmse : state.training_rmse;
+  return std::isnan(rmse) ? std::numeric_limits<double>::infinity() : rmse;
 }
 
 std::vector<double> with_solved_output_layer(const PerceptronShape& shape, const Samples& samples,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "proofmass/identify/options.hpp"
+#include "proofmass/numeric/levenberg_marquardt.hpp"
 #include "proofmass/numeric/perceptron.hpp"
 #include "proofmass/numeric/random.hpp"
 #include "proofmass/numeric/samples.hpp"
@@ -56,6 +57,8 @@ class NetworkTrainer {
   [[nodiscard]] double merit(const TrainingState& state) const noexcept;
 
  private:
+  [[nodiscard]] LevenbergMarquardtOptions settings_for(const TrainingState& state, std::size_t epochs) const;
+  void take(LevenbergMarquardtResult&& result, TrainingState& state) const;
   // Moves a state that has come to rest at the sum of squares to where it goes on; false when it is done.
   [[nodiscard]] bool go_on(TrainingState& state, double sum_of_squares) const;
 

@@ -82,6 +82,10 @@ TEST(VariableProjection, IsKickedUntilThatNoLongerHelps) {
   EXPECT_NEAR(whole.training_rmse, rmse(whole.weights, data.samples), 1e-9 * whole.training_rmse);
   EXPECT_EQ(whole.training_curve.back(), whole.training_rmse);
 
+  const std::string reason = whole.termination.reason;
+  trainer.train(whole, 100, test::always);
+  EXPECT_EQ(whole.termination.reason, reason);
+
   // Validation rows stop training in another way.
   const NetworkTrainer watched(kShape, data.samples, &data.validation, options);
   TrainingState state = watched.start(start);

@@ -27,9 +27,9 @@ struct NetworkOptions {
   bool search_hidden = false;      // choose the number of tanh units by trial instead
   std::size_t search_repeats = 5;  // trials of each size, at least 2
   Trainer trainer = Trainer::varpro;
-  std::size_t epochs = 1000;            // at most, for the training of one start
-  std::size_t kicks = 2;                // perturbations in a row without gain that end training (varpro)
-  double mu = 1e-3;                     // initial damping (lm)
+  std::size_t epochs = 1000;  // at most, for the training of one start
+  std::size_t kicks = 2;  // perturbations in a row without gain before training goes on to a minimum (varpro)
+  double mu = 1e-3;       // initial damping (lm)
   double mu_decrease = 0.1;             // factor after an accepted step (lm)
   double mu_increase = 10.0;            // factor after a rejected step (lm)
   double mu_max = 1e10;                 // training ends beyond this damping (lm)

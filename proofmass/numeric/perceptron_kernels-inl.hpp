@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The mathematics of a block of samples, compiled once for every instruction set: included by
-// perceptron_kernels.cpp through foreach_target, so without an ordinary include guard.
+// perceptron_kernels.cpp alone, through foreach_target, so without an ordinary include guard.
 //
-// Multiplications and fused multiply-adds a sample, for I inputs, H hidden units, n columns that the output
-// is linear in (H + 1, and fixed ones); additions and bit operations have ports of their own:
-//   activations     H (I + 14), one division each
-//   slopes, errors  4 H
-//   Q = phi T       n (n + 1) / 2
-//   QᵀQ, Qᵀe        n (n + 3) / 2
-//   DᵀD             H (H + 1) / 2 * (1 + (I + 1) (I + 2) / 2): as every column of D is a unit's slope times
-//   an
-//                   input or one, products of slopes serve (I + 1) (I + 2) / 2 elements each
-//   DᵀQ, Dᵀe        H (I + 1) (n + 2)
-// 3-7-1: 766 for Jacobian, JᵀJ and Jᵀe, of which 119 are activations; a dense JᵀJ alone would take 703.
+// Operations of the multiplication ports a sample, for I inputs, H hidden units, n columns that the output is
+// linear in (H + 1, and fixed ones) and p = H (I + 1) hidden weights, on 2 x 10 tiles; tanh takes T = 14,
+// with AVX2 16:
+//   activations, error    H (I + T + 1)
+//   slopes                2 H
+//   JᵀJ, Jᵀe, eᵀe         by slopes and products of inputs: I (I + 1) / 2 + H (H + 1) / 2 (1 + (I + 1) (I +
+//   2) / 2)
+//                         + p (H + 3) + (H + 2) (H + 3) / 2
+//   q = phi T             n (n + 1) / 2
+//   P = D - q C           p (n + 1) - H
+//   PᵀP, Pᵀq, …, eᵀe      (p + n + 1) (p + n + 2) / 2
+// 3-7-1: 126 for activations and error, 779 for the normal equations by all weights with them (a dense JᵀJ
+// with Jᵀe and eᵀe alone would take 703), 1124 for those of variable projection.
 #if defined(PROOFMASS_PERCEPTRON_KERNELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PERCEPTRON_KERNELS_INL
 #undef PROOFMASS_PERCEPTRON_KERNELS_INL

@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 #include "proofmass/numeric/kernel_scratch_internal.hpp"
 #include "proofmass/numeric/perceptron_kernels-inl.hpp"

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "proofmass/numeric/kernel_scratch_internal.hpp"

@@ -145,6 +145,7 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
   for (int pass = 1; pass <= kPasses; ++pass) {
     sum_products(solution, kNoProjection);
     if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
+      c.setZero();  // nobody may start from such weights
       return std::numeric_limits<double>::infinity();
     }
     Eigen::LLT<Eigen::MatrixXd> factor = factorise(view(products_.qq));

@@ -15,13 +15,16 @@ namespace proofmass {
 
 // Training of the hidden weights alone, the output layer solved by least squares inside: r = target projected
 // off the hidden activations (Golub & Pereyra 1973), its Jacobian by Kaufman's approximation (1975). x = the
-// hidden weights. Each call passes once over the samples, seldom more often, and keeps nothing a sample.
+// hidden weights. evaluate passes once over the samples where it has a good guess of the output layer, else
+// twice or more, linearise and curvature twice; nothing is kept a sample.
 class SeparablePerceptron final : public SumOfSquares {
  public:
   // Keeps references. `fixed` are further columns that the output is linear in, of padded_rows() values, zero
   // in the padding.
   SeparablePerceptron(const PerceptronShape& shape, const Samples& samples);
   SeparablePerceptron(const PerceptronShape& shape, const Samples& samples, const ColumnBlock& fixed);
+  SeparablePerceptron(const PerceptronShape& shape, Samples&& samples) = delete;
+  SeparablePerceptron(const PerceptronShape& shape, const Samples& samples, ColumnBlock&& fixed) = delete;
 
   [[nodiscard]] std::size_t parameters() const override { return shape_.hidden_weights(); }
   double evaluate(std::span<const double> hidden_weights) override;
