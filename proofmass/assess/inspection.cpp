@@ -63,6 +63,7 @@ void add_repeats(Inspection& inspection, const Dataset& record) {
 
 void add_presets(Inspection& inspection, const Dataset& record) {
   const TermSums sums(record, parse_terms("full"));
+  require_plausible_sizes(sums);
   for (const char* preset : {"linear", "quadratic", "paper", "full"}) {
     const TermList terms = parse_terms(preset);
     inspection.presets.push_back({.name = preset,

@@ -51,6 +51,19 @@ TEST(Inspection, JudgesEveryPreset) {
   for (const auto& lost : full.found.lost) EXPECT_EQ(lost.reason, "the record has no column Ap");
 }
 
+TEST(Inspection, RefusesValuesBeyondArithmetic) {
+  for (const double value : {1e41, 1e200}) {
+    Dataset record = test::make_twin({.rows = 40});
+    record.acceleration[0][3] = value;
+    try {
+      (void)inspect(record);
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_data);
+    }
+  }
+}
+
 TEST(Inspection, NeedsRows) { EXPECT_THROW((void)inspect(Dataset{}), Error); }
 
 }  // namespace

@@ -116,6 +116,16 @@ void require_size(double largest, double limit, const Dataset& data, std::string
                  fmt::format("values whose largest is between {:.0g} and {:.0g}", 1.0 / limit, limit));
 }
 
+void require_varying_output(const TermSums& sums) {
+  const std::size_t output = sums.terms().size();
+  const double least = sums.gram().least(output);
+  if (least < sums.gram().greatest(output)) return;
+  throw bad_data({.file = sums.data().source, .row = 0, .column = "E"}, fmt::format("{} in every row", least),
+                 "an output that varies with the input");
+}
+
+}  // namespace
+
 void require_plausible_sizes(const TermSums& sums) {
   for (const Axis axis : sums.data().axes()) {
     require_size(sums.ranges()[static_cast<std::size_t>(axis)], kLargestAcceleration, sums.data(),
@@ -126,16 +136,6 @@ void require_plausible_sizes(const TermSums& sums) {
   require_size(std::max(-sums.gram().least(output), sums.gram().greatest(output)), kLargestOutput,
                sums.data(), "E");
 }
-
-void require_varying_output(const TermSums& sums) {
-  const std::size_t output = sums.terms().size();
-  const double least = sums.gram().least(output);
-  if (least < sums.gram().greatest(output)) return;
-  throw bad_data({.file = sums.data().source, .row = 0, .column = "E"}, fmt::format("{} in every row", least),
-                 "an output that varies with the input");
-}
-
-}  // namespace
 
 Identifiability analyse_identifiability(const Dataset& data, const TermList& terms) {
   return analyse_identifiability(TermSums(data, terms), terms);

@@ -44,4 +44,8 @@ enum class RankLossPolicy { refuse, drop };
 // The same for the terms summed, which the caller then fits from the same sums.
 [[nodiscard]] Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy);
 
+// Throws bad data when accelerations or outputs are so large or so small that their products leave the range
+// of double precision.
+void require_plausible_sizes(const TermSums& sums);
+
 }  // namespace proofmass

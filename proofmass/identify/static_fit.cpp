@@ -17,6 +17,9 @@ namespace {
 // Marquardt's rule of thumb (Technometrics 12, 1970): beyond it collinearity governs the standard error.
 constexpr double kInflationLimit = 10.0;
 constexpr double kConditionLimit = 1e8;
+// Records are written with six decimals and more; what tells terms apart by less may be the rounding of the
+// text.
+constexpr double kRoundingLimit = 1e5;
 
 void add_loss_notes(const Identifiability& found, std::vector<std::string>& notes) {
   for (const auto& lost : found.lost) {
@@ -40,6 +43,12 @@ void add_condition_notes(const Identification& result, std::vector<std::string>&
                                 kInflationLimit, inflated));
   }
   const double condition = result.diagnostics.condition_scaled.value_or(1.0);
+  if (condition > kRoundingLimit) {
+    notes.push_back(fmt::format(
+        "only {:.0e} of the columns' size tells some terms apart: where the record's inputs are rounded as "
+        "coarsely as that, rounding is all that separates them, and their values mean nothing",
+        1.0 / condition));
+  }
   if (condition > kConditionLimit) {
     notes.push_back(
         fmt::format("condition number {:.1e} with scaled columns: rounding costs about {:.0f} of 16 digits",
