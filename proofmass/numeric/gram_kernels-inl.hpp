@@ -18,17 +18,11 @@
 #include <vector>
 
 #include "proofmass/numeric/gram_kernels.hpp"
+#include "proofmass/numeric/vector_type-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::CappedTag<double, Samples::kRowMultiple>;
-using V = hn::Vec<D>;
-constexpr D kD{};
-constexpr std::size_t kLanes =
-    HWY_LANES(double) < Samples::kRowMultiple ? HWY_LANES(double) : Samples::kRowMultiple;
 
 // What is left of a product when it is rounded to p: a b - p for p = fl(a b), or near it.
 #if HWY_NATIVE_FMA
