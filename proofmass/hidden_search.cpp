@@ -98,6 +98,7 @@ std::vector<HiddenTrial> try_hidden_sizes(const Dataset& rows, const Method& met
   StepProgress steps(progress, "hidden sizes", trials.size() * repeats);
   // From the largest down: the long ones must not come last, when other threads have nothing left to do.
   parallel_for(trials.size() * repeats, [&](std::size_t k) {
+    steps.require_going();  // preparing the rows of all trials that are left would take long
     HiddenTrial& trial = trials[trials.size() - 1 - k / repeats];
     const std::size_t r = k % repeats;
     IdentifyOptions trial_options = options;

@@ -21,9 +21,13 @@ class StepProgress final : public Progress {
   }
   void update(std::string_view, std::size_t, std::size_t) override {}
   [[nodiscard]] bool cancelled() const noexcept override { return outer_.cancelled(); }
-  // One step has ended. Throws an Error of kind interrupted when the work should stop.
-  void step() {
+  // Throws an Error of kind interrupted when the work should stop.
+  void require_going() const {
     if (cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
+  }
+  // One step has ended. Throws as require_going.
+  void step() {
+    require_going();
     const std::lock_guard lock(reporting_);
     outer_.update(stage_, ++done_, total_);
   }
