@@ -26,41 +26,42 @@ Samples as_samples(const NetworkSamples& rows) {
   return samples;
 }
 
+// Times evaluate(shape, weights, samples), which returns a sum of squares, over all networks given: ns a
+// network and sample, and each network's RMSE.
+template <typename Evaluate>
+Answer time_networks(const Request& request, const Evaluate& evaluate) {
+  const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
+  const Samples samples = as_samples(read_samples(request));
+  const std::vector<Row> networks = read_table(request.starts);
+  std::vector<double> rmse(networks.size());
+  const auto rows = static_cast<double>(samples.rows());
+  Answer answer = measure(request.seconds, [&] {
+    for (std::size_t k = 0; k < networks.size(); ++k) {
+      rmse[k] = std::sqrt(evaluate(shape, networks[k], samples) / rows);
+    }
+  });
+  answer.ns = 1e9 * answer.seconds / (rows * static_cast<double>(networks.size()));
+  answer.values = rmse;
+  return answer;
+}
+
 }  // namespace
 
 Answer forward(const Request& request) {
-  const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
-  const Samples samples = as_samples(read_samples(request));
-  const std::vector<Row> swarm = read_table(request.starts);
-  std::vector<double> rmse(swarm.size());
-  const auto rows = static_cast<double>(samples.rows());
-  Answer answer = measure(request.seconds, [&] {
-    for (std::size_t k = 0; k < swarm.size(); ++k) {
-      rmse[k] = std::sqrt(proofmass::perceptron_sse(shape, swarm[k], samples) / rows);
-    }
+  return time_networks(request, [](const PerceptronShape& shape, const Row& weights, const Samples& samples) {
+    return proofmass::perceptron_sse(shape, weights, samples);
   });
-  answer.ns = 1e9 * answer.seconds / (rows * static_cast<double>(swarm.size()));
-  answer.values = rmse;
-  return answer;
 }
 
 // The kernels of an epoch with one trial, without the solution of its normal equations.
 Answer kernels(const Request& request) {
   const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
-  const Samples samples = as_samples(read_samples(request));
-  const std::vector<Row> starts = read_table(request.starts);
   proofmass::Matrix jtj(shape.parameters(), shape.parameters());
-  std::vector<double> jte(shape.parameters()), rmse(starts.size());
-  const auto rows = static_cast<double>(samples.rows());
-  Answer answer = measure(request.seconds, [&] {
-    for (std::size_t k = 0; k < starts.size(); ++k) {
-      (void)proofmass::perceptron_normal_equations(shape, starts[k], samples, jtj, jte);
-      rmse[k] = std::sqrt(proofmass::perceptron_sse(shape, starts[k], samples) / rows);
-    }
+  std::vector<double> jte(shape.parameters());
+  return time_networks(request, [&](const PerceptronShape&, const Row& weights, const Samples& samples) {
+    (void)proofmass::perceptron_normal_equations(shape, weights, samples, jtj, jte);
+    return proofmass::perceptron_sse(shape, weights, samples);
   });
-  answer.ns = 1e9 * answer.seconds / (rows * static_cast<double>(starts.size()));
-  answer.values = rmse;
-  return answer;
 }
 
 // Variants: varpro, which takes the hidden weights of a start and solves the rest, and lm.

@@ -36,10 +36,12 @@ HWY_INLINE V InRegister(V value) {
   return value;
 }
 
-// acc[i][j] += sum of a_i b_i c_j, lane by lane, (a_i, b_i) the left columns and c_j the right ones: kRows x
-// kColumns sums in registers, kRows + kRows * kColumns multiplications for every vector of rows.
+// A left column, or a pair of them whose product is meant.
 using Factors = std::array<const double*, 2>;
 
+// acc[i][j] += sum of a_i b_i c_j, lane by lane, (a_i, b_i) the left columns and c_j the right ones: kRows x
+// kColumns sums in registers, kRows * kColumns multiplications for every vector of rows, with kPairs kRows
+// more.
 template <bool kPairs, std::size_t kRows, std::size_t kColumns>
 HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::size_t rows,
                               double* HWY_RESTRICT acc) {
