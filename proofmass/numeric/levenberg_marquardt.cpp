@@ -206,10 +206,7 @@ class Minimiser {
 
 }  // namespace
 
-bool SumOfSquares::curvature(std::span<const double>, const Matrix&, std::span<const double>,
-                             std::span<double>) {
-  return false;
-}
+bool SumOfSquares::curvature(std::span<const double>, std::span<double>) { return false; }
 
 LevenbergMarquardtResult minimise(SumOfSquares& problem, std::span<const double> start,
                                   const LevenbergMarquardtOptions& options,

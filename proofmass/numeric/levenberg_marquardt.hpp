@@ -26,10 +26,9 @@ class SumOfSquares {
   virtual void accept() = 0;
   // JᵀJ and Jᵀr at the current point, J = dr/dx.
   virtual void linearise(Matrix& normal, std::span<double> gradient) = 0;
-  // Jᵀ d²r/dt² along x + t * direction at the current point, by linearise's figures. Returns false when the
-  // problem cannot tell.
-  virtual bool curvature(std::span<const double> direction, const Matrix& normal,
-                         std::span<const double> gradient, std::span<double> result);
+  // Jᵀ d²r/dt² along x + t * direction at the current point, after linearise. Returns false when the problem
+  // cannot tell.
+  virtual bool curvature(std::span<const double> direction, std::span<double> result);
 };
 
 // Residuals r(x) with their Jacobian J = dr/dx, small enough to hold: minimised by QR of J, to the last

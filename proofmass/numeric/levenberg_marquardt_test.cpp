@@ -47,8 +47,7 @@ class Residuals final : public SumOfSquares {
       gradient[c] = dot(jacobian_.column(c), r_);
     }
   }
-  bool curvature(std::span<const double> direction, const Matrix&, std::span<const double>,
-                 std::span<double> result) override {
+  bool curvature(std::span<const double> direction, std::span<double> result) override {
     ++curvatures;
     constexpr double step = 1e-3;
     Vector ahead = current_;

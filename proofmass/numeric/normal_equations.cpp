@@ -35,8 +35,7 @@ class NormalEquations final : public LinearisedSum {
   [[nodiscard]] std::optional<Vector> acceleration(const Vector& velocity) override {
     Vector second(n_);
     const std::span<const double> direction(velocity.data(), problem_.parameters());
-    const std::span<const double> gradient(gradient_.data(), problem_.parameters());
-    if (!problem_.curvature(direction, normal_, gradient, view(second))) return std::nullopt;
+    if (!problem_.curvature(direction, view(second))) return std::nullopt;
     return -factor_.solve(second);
   }
 

@@ -230,8 +230,7 @@ void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) 
 // Pᵀs. The output weights' own second derivative moves the output within q, which P is orthogonal to. Their
 // first one is -C direction (in q's coordinates), as the linearisation has it, and what the residual adds to
 // the normal equations when the activations move.
-bool SeparablePerceptron::curvature(std::span<const double> direction, const Matrix& /*normal*/,
-                                    std::span<const double> /*gradient*/, std::span<double> result) {
+bool SeparablePerceptron::curvature(std::span<const double> direction, std::span<double> result) {
   const auto p = static_cast<Eigen::Index>(direction.size());
   const auto n = static_cast<Eigen::Index>(columns());
   const Eigen::Map<const Eigen::VectorXd> v(direction.data(), p);

@@ -33,8 +33,7 @@ class SeparablePerceptron final : public SumOfSquares {
   double estimate(std::span<const double> hidden_weights);
   void accept() override;
   void linearise(Matrix& normal, std::span<double> gradient) override;
-  bool curvature(std::span<const double> direction, const Matrix& normal, std::span<const double> gradient,
-                 std::span<double> result) override;
+  bool curvature(std::span<const double> direction, std::span<double> result) override;
 
   // Output weights of the last evaluated point: hidden units, bias, fixed columns.
   [[nodiscard]] const std::vector<double>& output_weights() const noexcept { return trial_.output_weights; }

@@ -169,7 +169,7 @@ RC_GTEST_PROP(SeparablePerceptron, CurvatureIsThatOfTheResidualsAlongTheDirectio
   // So short that the step within the kernel hardly sees the third derivative.
   Vector direction = test::random_vector(p, c.random);
   for (double& d : direction) d *= 1e-3;
-  RC_ASSERT(problem.curvature(direction, normal, gradient, result));
+  RC_ASSERT(problem.curvature(direction, result));
 
   const Matrix jacobian = kaufman_jacobian(c, problem.output_weights());
   const Vector ahead = reference_fit(c.shape, moved(c.weights, 1.0, direction), c.samples).residuals;
@@ -185,7 +185,7 @@ RC_GTEST_PROP(SeparablePerceptron, CurvatureIsThatOfTheResidualsAlongTheDirectio
   }
   result.assign(p, 0.0);
   const Vector nowhere(p, std::numeric_limits<double>::quiet_NaN());
-  RC_ASSERT(!problem.curvature(nowhere, normal, gradient, result));
+  RC_ASSERT(!problem.curvature(nowhere, result));
 }
 
 // Spoils the last unit of a network; the best that is left is the fit without it, or with it where it is
