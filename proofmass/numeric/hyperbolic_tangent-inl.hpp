@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // tanh of a vector, compiled once for every instruction set: included through foreach_target, so without an
-// ordinary include guard. A value takes 13 multiplications, fused ones counted once, with AVX-512 and its
-// table 10 and two permutations; two bounds, a shift and one division; additions have ports of their own.
+// ordinary include guard. A fine value takes 13 multiplications, fused ones counted once, with AVX-512 and
+// its table 9 and two permutations; two bounds, a shift and one division; additions have ports of their own.
+// One that is not fine and whose argument comes scaled takes a multiplication and a permutation less.
 #if defined(PROOFMASS_HYPERBOLIC_TANGENT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_HYPERBOLIC_TANGENT_INL
 #undef PROOFMASS_HYPERBOLIC_TANGENT_INL
@@ -96,17 +97,17 @@ HWY_INLINE void PowerLessOne(V (&r)[kVectors]) {
   Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Mul(p[i], r[i]); });
 }
 
-// tanh z = m / (m + 2) with m = exp(2z) - 1, in place, right to a few units in the last place for every z:
-// the last digits of training hang on it. exp(2z) = 2^u is a table's power times a polynomial's.
-template <std::size_t kVectors>
-HWY_INLINE void Tanh(V (&z)[kVectors]) {
+// tanh of half the natural logarithm of 2^u, in place: m / (m + 2) with m = 2^u - 1, a table's power times a
+// polynomial's. Fine: right to a few units in the last place for every u, as the last digits of training hang
+// on it. Otherwise to 1e-16 absolute, and within 4e-15 relative.
+template <bool kFine, std::size_t kVectors>
+HWY_INLINE void TanhOfPower(V (&u)[kVectors]) {
   const auto constant = [](double c) HWY_ATTR { return hn::Set(kD, c); };
   const hn::RebindToUnsigned<D> du;
   // Adding 1.5 * 2^52 leaves u, rounded to a step, in the low bits of the sum.
-  const V magic = constant(6755399441055744.0 / (1 << kFractionBits));
+  const V magic = InRegister(constant(6755399441055744.0 / (1 << kFractionBits)));
   V r[kVectors], shifted[kVectors], scale[kVectors];
-  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Mul(z[i], constant(2.8853900817779268)); });
-  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Max(constant(-60.0), r[i]); });
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Max(constant(-60.0), u[i]); });
   Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Min(constant(60.0), r[i]); });
   Each<kVectors>([&](std::size_t i) HWY_ATTR { shifted[i] = hn::Add(r[i], magic); });
   Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Sub(r[i], hn::Sub(shifted[i], magic)); });
@@ -114,7 +115,7 @@ HWY_INLINE void Tanh(V (&z)[kVectors]) {
   Each<kVectors>([&](std::size_t i) HWY_ATTR {
     const auto bits = hn::BitCast(du, shifted[i]);
 #if HWY_TARGET <= HWY_AVX3
-    r[i] = hn::Add(r[i], FractionRemainder(bits));
+    if constexpr (kFine) r[i] = hn::Add(r[i], FractionRemainder(hn::BitCast(du, After(r[i], shifted[i]))));
     const auto fraction = hn::BitCast(du, FractionPower(bits));
 #else
     const auto fraction = hn::BitCast(du, constant(1.0));
@@ -127,8 +128,18 @@ HWY_INLINE void Tanh(V (&z)[kVectors]) {
     const V tanh = hn::Div(r[i], hn::Add(r[i], constant(2.0)));
     // Min and Max pass on a second operand that is not a number, but not where Highway emulates them.
     constexpr bool kEmulated = HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128;
-    z[i] = kEmulated ? hn::IfThenElse(hn::IsNaN(z[i]), z[i], tanh) : tanh;
+    u[i] = kEmulated ? hn::IfThenElse(hn::IsNaN(u[i]), u[i], tanh) : tanh;
   });
+}
+
+// What z of tanh z must be multiplied by to be an exponent of two: 2 / ln 2.
+constexpr double kPowerOfTwo = 2.8853900817779268;
+
+// tanh, in place.
+template <std::size_t kVectors>
+HWY_INLINE void Tanh(V (&z)[kVectors]) {
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { z[i] = hn::Mul(z[i], hn::Set(kD, kPowerOfTwo)); });
+  TanhOfPower<true>(z);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -62,15 +62,17 @@ HWY_INLINE void WithInputs(std::size_t inputs, const Body& body) {
   }
 }
 
-// Vectors of rows that go through a kernel together, and as many that follow each other.
+// Vectors of rows that go through a kernel together: enough that no step waits for the one before, and no
+// more than the registers hold.
 constexpr std::size_t kTogether = 4;
+constexpr std::size_t kTogetherForward = HWY_TARGET <= HWY_AVX3 ? 6 : 4;
 
-// Calls body with kTogether for as many vectors of rows as there are, and with 1 for the rest.
-template <typename Body>
+// Calls body with kMost for as many vectors of rows as there are, and with 1 for the rest.
+template <std::size_t kMost = kTogether, typename Body>
 HWY_INLINE void ForRows(std::size_t rows, const Body& body) {
   std::size_t row = 0;
-  for (; row + kTogether * kLanes <= rows; row += kTogether * kLanes) {
-    body(row, std::integral_constant<std::size_t, kTogether>());
+  for (; row + kMost * kLanes <= rows; row += kMost * kLanes) {
+    body(row, std::integral_constant<std::size_t, kMost>());
   }
   for (; row < rows; row += kLanes) body(row, std::integral_constant<std::size_t, 1>());
 }
@@ -85,7 +87,7 @@ HWY_INLINE void HiddenArgument(const PerceptronShape& shape, const double* weigh
 #pragma GCC unroll 3
   for (std::size_t k = 0; k < inputs; ++k) {
     const V weight = hn::Set(kD, weights[unit * inputs + k]);
-    const double* const x = samples.input_data(k) + row;
+    const double* const x = Fresh(samples.input_data(k) + row);
     Each<kVectors>([&](std::size_t i)
                        HWY_ATTR { z[i] = hn::MulAdd(weight, hn::LoadU(kD, x + i * kLanes), z[i]); });
   }

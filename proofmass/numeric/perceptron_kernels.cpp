@@ -39,7 +39,7 @@ HWY_INLINE void OutputRows(const PerceptronShape& shape, const double* weights, 
   for (std::size_t j = 0; j < shape.hidden; ++j) {
     V h[kVectors];
     HiddenArgument<kInputs>(shape, weights, j, samples, row, h);
-    Tanh(h);
+    TanhOfPower<false>(h);
     const V weight = hn::Set(kD, v[j]);
     Each<kVectors>([&](std::size_t i) HWY_ATTR { output[i] = hn::MulAdd(weight, h[i], output[i]); });
   }
@@ -48,18 +48,22 @@ HWY_INLINE void OutputRows(const PerceptronShape& shape, const double* weights, 
 // Returns the sum of squared errors; stores the outputs unless null.
 double Forward(const PerceptronShape& shape, const double* weights, const Samples& samples, double* outputs) {
   V sums = hn::Zero(kD);
+  const std::size_t hidden_weights = shape.hidden_weights();
+  double* const scaled = kernel_scratch(shape.parameters());
+  for (std::size_t k = 0; k < hidden_weights; ++k) scaled[k] = kPowerOfTwo * weights[k];
+  std::copy_n(weights + hidden_weights, shape.output_weights(), scaled + hidden_weights);
   WithInputs(shape.inputs, [&](auto inputs) HWY_ATTR {
-    ForRows(samples.padded_rows(), [&](std::size_t row, auto together) HWY_ATTR {
+    ForRows<kTogetherForward>(samples.padded_rows(), [&](std::size_t row, auto together) HWY_ATTR {
       constexpr std::size_t kVectors = decltype(together)::value;
       V output[kVectors];
-      OutputRows<decltype(inputs)::value>(shape, weights, samples, row, output);
-      for (std::size_t i = 0; i < kVectors; ++i) {
+      OutputRows<decltype(inputs)::value>(shape, scaled, samples, row, output);
+      Each<kVectors>([&](std::size_t i) HWY_ATTR {
         const std::size_t at = row + i * kLanes;
         if (outputs != nullptr) hn::StoreU(output[i], kD, outputs + at);
         const V error = hn::Sub(hn::LoadU(kD, samples.target_data() + at), output[i]);
         const V real = hn::Mul(hn::LoadU(kD, samples.mask_data() + at), error);
         sums = hn::MulAdd(real, real, sums);
-      }
+      });
     });
   });
   return hn::GetLane(hn::SumOfLanes(kD, sums));

@@ -27,15 +27,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::size_t kBlockRows = 256;
 constexpr std::size_t kStride = kBlockRows + 8;
 
-// Keeps a value that is used twice from being loaded twice, as GCC likes to do: loads are as scarce as
-// products.
-HWY_INLINE V InRegister(V value) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-  asm("" : "+v"(value.raw));
-#endif
-  return value;
-}
-
 // A left column, or a pair of them whose product is meant.
 using Factors = std::array<const double*, 2>;
 
