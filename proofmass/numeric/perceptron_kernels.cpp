@@ -6,7 +6,6 @@
 #include <hwy/foreach_target.h>
 // foreach_target includes this file once for every instruction set; the next header must come after it.
 #include "proofmass/numeric/perceptron_normal_sums-inl.hpp"
-#include "proofmass/numeric/perceptron_projection-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace proofmass {
@@ -83,12 +82,18 @@ void Activations(const PerceptronShape& shape, const double* weights, const Samp
   }
 }
 
-double NormalEquations(const PerceptronShape& shape, const double* weights, const Samples& samples,
-                       Matrix& jtj, double* jte) {
+double KeepingForward(const PerceptronShape& shape, const double* weights, const Samples& samples,
+                      BlockColumns& columns) {
+  const ColumnBlock none;
+  return SumOfSquaresKeeping({shape, weights, none}, samples, columns);
+}
+
+double NormalEquations(const PerceptronShape& shape, const double* weights, const Samples& samples, bool kept,
+                       PerceptronColumns& columns, Matrix& jtj, double* jte) {
   const ColumnBlock none;
   const Network network{shape, weights, none};
-  NormalSums sums(network, samples);
-  sums.run();
+  NormalSums sums(network, samples, columns);
+  sums.run(kept);
   return sums.store(jtj, jte);
 }
 
@@ -103,11 +108,9 @@ namespace proofmass {
 
 HWY_EXPORT(TanhOf);
 HWY_EXPORT(Forward);
+HWY_EXPORT(KeepingForward);
 HWY_EXPORT(Activations);
 HWY_EXPORT(NormalEquations);
-HWY_EXPORT(SumProducts);
-HWY_EXPORT(CrossProducts);
-HWY_EXPORT(Curvature);
 HWY_EXPORT(Target);
 
 void perceptron_outputs(const PerceptronShape& shape, std::span<const double> weights, const Samples& samples,
@@ -121,36 +124,22 @@ double perceptron_sse(const PerceptronShape& shape, std::span<const double> weig
   return HWY_DYNAMIC_DISPATCH(Forward)(shape, weights.data(), samples, nullptr);
 }
 
+double perceptron_sse(const PerceptronShape& shape, std::span<const double> weights, const Samples& samples,
+                      PerceptronColumns& columns) {
+  if (!columns.hidden.keeps()) return perceptron_sse(shape, weights, samples);
+  return HWY_DYNAMIC_DISPATCH(KeepingForward)(shape, weights.data(), samples, columns.hidden);
+}
+
 double perceptron_normal_equations(const PerceptronShape& shape, std::span<const double> weights,
-                                   const Samples& samples, Matrix& jtj, std::span<double> jte) {
-  return HWY_DYNAMIC_DISPATCH(NormalEquations)(shape, weights.data(), samples, jtj, jte.data());
+                                   const Samples& samples, bool kept, PerceptronColumns& columns, Matrix& jtj,
+                                   std::span<double> jte) {
+  return HWY_DYNAMIC_DISPATCH(NormalEquations)
+  (shape, weights.data(), samples, kept, columns, jtj, jte.data());
 }
 
 void hidden_activations(const PerceptronShape& shape, std::span<const double> hidden_weights,
                         const Samples& samples, ColumnBlock& phi) {
   HWY_DYNAMIC_DISPATCH(Activations)(shape, hidden_weights.data(), samples, phi);
-}
-
-void perceptron_products(const PerceptronShape& shape, std::span<const double> weights,
-                         const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
-                         const Matrix& projection, PerceptronProducts& products) {
-  HWY_DYNAMIC_DISPATCH(SumProducts)
-  (shape, weights.data(), samples, fixed, transform, projection, products);
-}
-
-void perceptron_cross_products(const PerceptronShape& shape, std::span<const double> weights,
-                               const Samples& samples, const ColumnBlock& fixed, const Matrix& transform,
-                               Matrix& dq) {
-  HWY_DYNAMIC_DISPATCH(CrossProducts)(shape, weights.data(), samples, fixed, transform, dq);
-}
-
-void perceptron_curvature(const PerceptronShape& shape, std::span<const double> weights,
-                          std::span<const double> direction, const Samples& samples, const ColumnBlock& fixed,
-                          const Matrix& transform, std::span<const double> removed,
-                          std::span<double> d_second, std::span<double> q_second) {
-  HWY_DYNAMIC_DISPATCH(Curvature)
-  (shape, weights.data(), direction.data(), samples, fixed, transform, removed, d_second.data(),
-   q_second.data());
 }
 
 void tanh_of(std::span<const double> z, std::span<double> result) {

@@ -103,7 +103,10 @@ TEST_P(PerceptronKernels, WeightsThatAreNotNumbersNeverGiveAFiniteSumOfSquares) 
       std::vector<double> poisoned = weights;
       poisoned[i] = std::numeric_limits<double>::quiet_NaN();
       EXPECT_FALSE(std::isfinite(perceptron_sse(shape, poisoned, samples))) << rows << " rows, weight " << i;
-      EXPECT_FALSE(std::isfinite(perceptron_normal_equations(shape, poisoned, samples, jtj, jte)));
+      PerceptronColumns columns(shape, samples);
+      EXPECT_FALSE(std::isfinite(
+          perceptron_normal_equations(shape, poisoned, samples, false, columns, jtj, jte)));
+      EXPECT_FALSE(std::isfinite(perceptron_sse(shape, poisoned, samples, columns)));
       if (i < shape.hidden_weights()) continue;
       poisoned[i] = std::numeric_limits<double>::infinity();
       EXPECT_FALSE(std::isfinite(perceptron_sse(shape, poisoned, samples))) << rows << " rows, weight " << i;
@@ -169,7 +172,8 @@ void expect_scalar_normal_equations(const PerceptronShape& shape, const std::vec
   const auto [expected, lengths] = scalar_normal_equations(shape, weights, samples);
   Matrix jtj(p, p);
   std::vector<double> jte(p);
-  const double sse = perceptron_normal_equations(shape, weights, samples, jtj, jte);
+  PerceptronColumns columns(shape, samples);
+  const double sse = perceptron_normal_equations(shape, weights, samples, false, columns, jtj, jte);
   ASSERT_LE(std::abs(sse - expected[p][p]), kTolerance * lengths[p] * lengths[p]);
   for (std::size_t c = 0; c < p; ++c) {
     ASSERT_LE(std::abs(jte[c] - expected[c][p]), kTolerance * lengths[c] * lengths[p]) << c;
@@ -187,6 +191,28 @@ TEST_P(PerceptronKernels, NormalEquationsAreThoseOfTheExplicitJacobian) {
       const PerceptronShape shape = random_shape(random);
       const Samples samples = test::random_samples(shape.inputs, rows, random);
       expect_scalar_normal_equations(shape, test::random_vector(shape.parameters(), random), samples);
+    }
+  }
+}
+
+TEST_P(PerceptronKernels, NormalEquationsAreTheSameToTheBitOfColumnsKept) {
+  RandomStream random(8);
+  for (const std::size_t rows : {5U, 300U, 100000U}) {
+    const PerceptronShape shape = random_shape(random);
+    const Samples samples = test::random_samples(shape.inputs, rows, random);
+    const std::size_t p = shape.parameters();
+    PerceptronColumns columns(shape, samples);
+    EXPECT_EQ(columns.hidden.keeps(), rows < 100000);
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      const std::vector<double> weights = test::random_vector(p, random);
+      PerceptronColumns fresh(shape, samples);
+      Matrix jtj(p, p), again(p, p);
+      std::vector<double> jte(p), jte_again(p);
+      const double sum = perceptron_normal_equations(shape, weights, samples, false, fresh, jtj, jte);
+      EXPECT_NEAR(perceptron_sse(shape, weights, samples, columns), sum, 1e-13 * sum);
+      EXPECT_EQ(perceptron_normal_equations(shape, weights, samples, true, columns, again, jte_again), sum);
+      EXPECT_EQ(jte, jte_again);
+      EXPECT_TRUE(std::equal(jtj.data(), jtj.data() + p * p, again.data()));
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normal equations of a network by all its weights, compiled once for every instruction set: included through
-// foreach_target, so without an ordinary include guard.
+// Normal equations of a network by all its weights, compiled once for every instruction set: included by
+// perceptron_kernels.cpp alone, through foreach_target, so without an ordinary include guard.
 #if defined(PROOFMASS_PERCEPTRON_NORMAL_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PERCEPTRON_NORMAL_SUMS_INL
 #undef PROOFMASS_PERCEPTRON_NORMAL_SUMS_INL
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "proofmass/numeric/kernel_scratch_internal.hpp"
 #include "proofmass/numeric/perceptron_kernels-inl.hpp"
@@ -20,29 +21,89 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
+// Products of the inputs two and two, each input taken last being one: x_1 x_1, x_1 x_2, … x_1, x_2 x_2, …
+// x_I, 1.
+void MomentBlock(const Samples& samples, std::size_t first, std::size_t rows, double* moments) {
+  for (std::size_t k = 0; k < samples.inputs(); ++k) {
+    const double* const x = samples.input_data(k) + first;
+    for (std::size_t l = k; l < samples.inputs(); ++l, moments += kStride) {
+      const double* const y = samples.input_data(l) + first;
+      for (std::size_t at = 0; at < rows; at += kLanes) {
+        hn::StoreU(hn::Mul(hn::LoadU(kD, x + at), hn::LoadU(kD, y + at)), kD, moments + at);
+      }
+    }
+    std::copy_n(x, rows, moments);
+    moments += kStride;
+  }
+  std::copy_n(samples.mask_data() + first, rows, moments);
+}
+
+// Activations, ones and error of a block, one after the other, and slopes unless null.
+void HiddenOutputBlock(const Network& network, const Samples& samples, std::size_t first, std::size_t rows,
+                       double* hidden, double* slopes) {
+  double* const ones = hidden + network.shape.hidden * kStride;
+  HiddenBlock(network, samples, first, rows,
+              {.activation = hidden, .slope = slopes, .error = ones + kStride});
+  std::copy_n(samples.mask_data() + first, rows, ones);
+}
+
+// The sum of squared errors, in a pass that leaves activations and errors.
+double SumOfSquaresKeeping(const Network& network, const Samples& samples, BlockColumns& columns) {
+  V sums = hn::Zero(kD);
+  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
+    const std::size_t rows = std::min(kBlockRows, samples.padded_rows() - first);
+    double* const hidden = columns.block(first, nullptr);
+    HiddenOutputBlock(network, samples, first, rows, hidden, nullptr);
+    const double* const error = hidden + (network.shape.hidden + 1) * kStride;
+    for (std::size_t at = 0; at < rows; at += kLanes) {
+      const V e = hn::LoadU(kD, error + at);
+      sums = hn::MulAdd(e, e, sums);
+    }
+  }
+  return hn::GetLane(hn::SumOfLanes(kD, sums));
+}
+
 // The sums that make up JᵀJ, Jᵀe and eᵀe, and the columns of a block that they are taken over. As every
 // derivative by a hidden weight is a unit's slope times an input or one, products of two slopes and of two
 // inputs serve for many elements each.
 class NormalSums {
  public:
-  NormalSums(const Network& network, const Samples& samples)
+  NormalSums(const Network& network, const Samples& samples, PerceptronColumns& columns)
       : network_(network),
         samples_(samples),
+        columns_(columns),
         inputs_(network.shape.inputs),
         hidden_(network.shape.hidden),
         slopes_(hidden_ * (hidden_ + 1) / 2, (inputs_ + 1) * (inputs_ + 2) / 2, false),
         cross_(hidden_ * (inputs_ + 1), hidden_ + 2, false),
         outputs_(hidden_ + 2, hidden_ + 2, true) {
-    lay_out();
+    const std::size_t sums = slopes_.storage() + cross_.storage() + outputs_.storage();
+    double* next = kernel_scratch(sums + hidden_ * kStride + columns.hidden.block_size() +
+                                  columns.moments.block_size());
+    std::fill_n(next, sums, 0.0);
+    for (ProductSums* list : {&slopes_, &cross_, &outputs_}) {
+      list->start(next);
+      next += list->storage();
+    }
+    slope_ = next;
+    scratch_ = next + hidden_ * kStride;
   }
 
-  void run() {
+  // `kept`: whether activations and errors are there already.
+  void run(bool kept) {
+    kept = kept && columns_.hidden.keeps();
+    const bool moments_kept = std::exchange(columns_.moments_known, columns_.moments.keeps());
     for (std::size_t first = 0; first < samples_.padded_rows(); first += kBlockRows) {
       const std::size_t rows = std::min(kBlockRows, samples_.padded_rows() - first);
-      HiddenBlock(network_, samples_, first, rows, columns_);
-      MomentBlock(samples_, first, rows, moments_);
-      std::copy_n(samples_.mask_data() + first, rows, columns_.activation + hidden_ * kStride);
-      for (ProductSums* list : {&slopes_, &cross_, &outputs_}) list->add(rows);
+      double* const hidden = columns_.hidden.block(first, scratch_);
+      double* const moments = columns_.moments.block(first, scratch_ + columns_.hidden.block_size());
+      if (kept) {
+        HiddenBlock<true>(network_, samples_, first, rows, {.activation = hidden, .slope = slope_});
+      } else {
+        HiddenOutputBlock(network_, samples_, first, rows, hidden, slope_);
+      }
+      if (!moments_kept) MomentBlock(samples_, first, rows, moments);
+      add(hidden, moments, rows);
     }
     for (ProductSums* list : {&slopes_, &cross_, &outputs_}) list->finish();
   }
@@ -63,32 +124,20 @@ class NormalSums {
   }
 
  private:
-  // Gives sums and columns their places in the scratch memory, and sums the columns that they are of.
-  void lay_out() {
-    const std::size_t sums = slopes_.storage() + cross_.storage() + outputs_.storage();
-    const std::size_t columns = 2 * hidden_ + 2 + (inputs_ + 1) * (inputs_ + 2) / 2;
-    double* next = kernel_scratch(sums + columns * kStride);
-    std::fill_n(next, sums, 0.0);
-    for (ProductSums* list : {&slopes_, &cross_, &outputs_}) {
-      list->start(next);
-      next += list->storage();
-    }
-    columns_.activation = next;  // then ones, then the error
-    columns_.error = next + (hidden_ + 1) * kStride;
-    columns_.slope = columns_.error + kStride;
-    moments_ = columns_.slope + hidden_ * kStride;
-    for (std::size_t c = 0; c < hidden_ + 2; ++c) outputs_.left[c] = {next + c * kStride, nullptr};
-    outputs_.right = cross_.right = next;
-    slopes_.right = moments_;
+  // Adds the products of a block's columns: activations, ones and error, and products of inputs.
+  void add(const double* hidden, const double* moments, std::size_t rows) {
+    for (std::size_t c = 0; c < hidden_ + 2; ++c) outputs_.left[c] = {hidden + c * kStride, nullptr};
+    outputs_.right = cross_.right = hidden;
+    slopes_.right = moments;
     for (std::size_t i = 0, pair = 0; i < hidden_; ++i) {
-      for (std::size_t j = i; j < hidden_; ++j, ++pair) slopes_.left[pair] = {slope(i), slope(j)};
+      const double* const slope = slope_ + i * kStride;
+      for (std::size_t j = i; j < hidden_; ++j, ++pair) slopes_.left[pair] = {slope, slope_ + j * kStride};
       for (std::size_t k = 0; k <= inputs_; ++k) {
-        cross_.left[i * (inputs_ + 1) + k] = {slope(i), moments_ + moment(k, inputs_) * kStride};
+        cross_.left[i * (inputs_ + 1) + k] = {slope, moments + moment(k, inputs_) * kStride};
       }
     }
+    for (ProductSums* list : {&slopes_, &cross_, &outputs_}) list->add(rows);
   }
-
-  [[nodiscard]] const double* slope(std::size_t j) const { return columns_.slope + j * kStride; }
 
   // The number of the product of inputs k and l, the last input being one.
   [[nodiscard]] std::size_t moment(std::size_t k, std::size_t l) const {
@@ -119,10 +168,11 @@ class NormalSums {
 
   const Network& network_;
   const Samples& samples_;
+  PerceptronColumns& columns_;
   std::size_t inputs_, hidden_;
   ProductSums slopes_, cross_, outputs_;
-  HiddenColumns columns_{};
-  double* moments_ = nullptr;  // products of inputs
+  double* slope_ = nullptr;    // of each unit in a block
+  double* scratch_ = nullptr;  // of columns that are not kept
 };
 
 }  // namespace HWY_NAMESPACE

@@ -5,6 +5,7 @@
 
 #include "proofmass/numeric/levenberg_marquardt.hpp"
 #include "proofmass/numeric/perceptron.hpp"
+#include "proofmass/numeric/perceptron_kernels.hpp"
 #include "proofmass/numeric/samples.hpp"
 
 namespace proofmass {
@@ -24,6 +25,8 @@ class PerceptronProblem final : public SumOfSquares {
   PerceptronShape shape_;
   const Samples& samples_;
   std::vector<double> current_, trial_;
+  PerceptronColumns columns_;
+  std::vector<double> kept_;  // weights that the columns belong to
 };
 
 }  // namespace proofmass

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "proofmass/numeric/block_columns.hpp"
 #include "proofmass/numeric/vector_type-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,10 +23,8 @@ namespace proofmass {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Rows of a block, and how far apart its columns stand: all of them stay in the second level of cache, those
-// of a tile in the first, where a stride that is a power of two would send them all to a few sets.
-constexpr std::size_t kBlockRows = 256;
-constexpr std::size_t kStride = kBlockRows + 8;
+constexpr std::size_t kBlockRows = BlockColumns::kRows;
+constexpr std::size_t kStride = BlockColumns::kStride;
 
 // A left column, or a pair of them whose product is meant.
 using Factors = std::array<const double*, 2>;

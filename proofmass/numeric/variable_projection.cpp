@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -53,7 +54,6 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 16.0 * kEpsilon;
 
 const ColumnBlock kNoColumns;
-const Matrix kNoProjection;
 
 // Leaves a column out of the transform; in the Gram matrix it stands as one of its own.
 void leave_out(Eigen::Index c, Eigen::Ref<Eigen::MatrixXd> transform, Eigen::Ref<Eigen::MatrixXd> gram) {
@@ -104,7 +104,9 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
     : shape_(shape),
       samples_(samples),
       fixed_(fixed),
-      products_(shape, fixed.columns()),
+      products_(shape.output_weights() + fixed.columns()),
+      columns_(separable_columns(shape, fixed.columns(), samples)),
+      cross_(shape.hidden_weights(), shape.output_weights() + fixed.columns()),
       projection_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
       de_(shape.hidden_weights()) {
   const std::size_t n = shape.output_weights() + fixed.columns();
@@ -122,12 +124,20 @@ std::vector<double> SeparablePerceptron::all_weights(const Solution& solution) {
   return weights;
 }
 
-void SeparablePerceptron::sum_products(const Solution& solution, const Matrix& projection) {
-  perceptron_products(shape_, all_weights(solution), samples_, fixed_, solution.transform, projection,
-                      products_);
+void SeparablePerceptron::sum_products(const Solution& solution, Kept kept) {
+  const std::vector<double> weights = all_weights(solution);
+  sum_basis_products({shape_, weights, samples_, fixed_, solution.transform}, kept, columns_, products_);
   for (std::size_t c = 0; c < columns(); ++c) {
     if (solution.transform(c, c) == 0.0) products_.qq(c, c) = 1.0;  // left out before
   }
+}
+
+template <typename Pass>
+void SeparablePerceptron::pass_over_current(const Pass& pass) {
+  const std::vector<double> weights = all_weights(current_);
+  if (kept_ == Kept::nothing) trial_kept_ = false;
+  pass(SeparableNetwork{shape_, weights, samples_, fixed_, current_.transform}, kept_);
+  kept_ = Kept::derivatives;
 }
 
 double SeparablePerceptron::solve(std::span<const double> hidden_weights, double tolerance,
@@ -138,12 +148,14 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
   restore_dropped(view(solution.transform));
   Eigen::Map<Eigen::VectorXd> c(solution.output_weights.data(), size);
   double sum = 0.0;
+  Kept kept = kept_ = Kept::nothing;
+  trial_kept_ = true;
   // Each pass finds the error e of the weights so far, and the weights' correction from its normal equations
   // on q: Newton's iteration for a linear problem, which ends when rounding no longer matters. Columns that
   // are badly conditioned are first made orthogonal by Cholesky QR (Yamamoto et al. 2015). From a good guess
   // and the current point's transform one pass is usually enough.
   for (int pass = 1; pass <= kPasses; ++pass) {
-    sum_products(solution, kNoProjection);
+    sum_products(solution, std::exchange(kept, Kept::basis));
     if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
       c.setZero();  // nobody may start from such weights
       return std::numeric_limits<double>::infinity();
@@ -166,6 +178,7 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
     factor = factorise_independent(view(solution.transform), view(products_.qq),
                                    std::sqrt(static_cast<double>(samples_.rows())));
     factor.matrixU().solveInPlace<Eigen::OnTheRight>(view(solution.transform));
+    kept = Kept::activations;
     for (Eigen::Index k = 0; k < size; ++k) {
       if (cview(solution.transform)(k, k) == 0.0) c(k) = 0.0;
     }
@@ -200,29 +213,22 @@ double SeparablePerceptron::estimate(std::span<const double> hidden_weights) {
 void SeparablePerceptron::accept() {
   std::swap(current_, trial_);
   trial_.output_weights = current_.output_weights;
+  kept_ = std::exchange(trial_kept_, false) ? Kept::basis : Kept::nothing;
   linearised_ = false;
 }
 
 // With P = D - q C, C = (qᵀq)⁻¹ qᵀD, the residual's Jacobian is -P. What is left of a column of D is often a
 // millionth of it: PᵀP from DᵀD and Dᵀq would be rounding. So a first pass finds C, a second sums what is
-// left, and says by Pᵀq what rounding has left of q in it.
+// left; what rounding has left of q in it is a millionth of that again.
 void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
-  const auto p = static_cast<Eigen::Index>(shape_.hidden_weights());
-  const auto size = static_cast<Eigen::Index>(columns());
-  auto c = view(projection_);
-  const std::vector<double> weights = all_weights(current_);
-  perceptron_cross_products(shape_, weights, samples_, fixed_, current_.transform, products_.pq);
-  c.noalias() = cview(current_.gram_inverse) * cview(products_.pq).transpose();
-  sum_products(current_, projection_);
-  const Eigen::MatrixXd correction = cview(current_.gram_inverse) * cview(products_.pq).transpose();
-  c += correction;
-  view(normal) = cview(products_.pp);
-  view(normal).noalias() -= cview(products_.pq) * correction;
-  const Eigen::Map<const Eigen::VectorXd> pe(products_.pe.data(), p);
-  const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
-  Eigen::Map<Eigen::VectorXd> g(gradient.data(), p);
-  g = correction.transpose() * qe - pe;
-  Eigen::Map<Eigen::VectorXd>(de_.data(), p) = c.transpose() * qe - g;
+  pass_over_current([&](const SeparableNetwork& network, Kept kept) {
+    sum_cross_products(network, kept, columns_, cross_);
+  });
+  view(projection_).noalias() = cview(current_.gram_inverse) * cview(cross_).transpose();
+  pass_over_current([&](const SeparableNetwork& network, Kept kept) {
+    sum_projected_products(network, kept, columns_, projection_, normal, de_);
+  });
+  std::transform(de_.begin(), de_.end(), gradient.begin(), std::negate<>());
   linearised_ = true;
 }
 
@@ -249,13 +255,11 @@ bool SeparablePerceptron::curvature(std::span<const double> direction, std::span
   Eigen::Map<Eigen::VectorXd>(along.data() + p, n) =
       transform * (cview(current_.gram_inverse) * (transform.transpose() * moved) - cview(projection_) * v);
 
-  const std::vector<double> weights = all_weights(current_);
-  // Most of s lies in q. A first pass finds that part, a second takes it away before it multiplies.
-  std::vector<double> removed(columns()), qs(columns());
-  perceptron_curvature(shape_, weights, along, samples_, fixed_, current_.transform, {}, result, qs);
+  std::vector<double> qs(columns());
+  pass_over_current([&](const SeparableNetwork& network, Kept kept) {
+    sum_second_derivative(network, kept, columns_, along, current_.gram_inverse, result, qs);
+  });
   const Eigen::Map<const Eigen::VectorXd> q_second(qs.data(), n);
-  Eigen::Map<Eigen::VectorXd>(removed.data(), n) = cview(current_.gram_inverse) * q_second;
-  perceptron_curvature(shape_, weights, along, samples_, fixed_, current_.transform, removed, result, qs);
   Eigen::Map<Eigen::VectorXd> second(result.data(), p);
   second -= cview(projection_).transpose() * q_second;
   return second.allFinite();

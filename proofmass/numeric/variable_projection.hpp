@@ -8,15 +8,15 @@
 #include "proofmass/numeric/levenberg_marquardt.hpp"
 #include "proofmass/numeric/matrix.hpp"
 #include "proofmass/numeric/perceptron.hpp"
-#include "proofmass/numeric/perceptron_kernels.hpp"
 #include "proofmass/numeric/samples.hpp"
+#include "proofmass/numeric/separable_kernels.hpp"
 
 namespace proofmass {
 
 // Training of the hidden weights alone, the output layer solved by least squares inside: r = target projected
 // off the hidden activations (Golub & Pereyra 1973), its Jacobian by Kaufman's approximation (1975). x = the
 // hidden weights. evaluate passes once over the samples where it has a good guess of the output layer, else
-// twice or more, linearise and curvature twice; nothing is kept a sample.
+// twice or more, linearise and curvature twice; of few samples passes find what those before have computed.
 class SeparablePerceptron final : public SumOfSquares {
  public:
   // Keeps references. `fixed` are further columns that the output is linear in, of padded_rows() values, zero
@@ -53,7 +53,10 @@ class SeparablePerceptron final : public SumOfSquares {
   // of squares is below the tolerance.
   double solve(std::span<const double> hidden_weights, double tolerance, Solution& solution);
   [[nodiscard]] static std::vector<double> all_weights(const Solution& solution);
-  void sum_products(const Solution& solution, const Matrix& projection);
+  void sum_products(const Solution& solution, Kept kept);
+  // Calls pass(network, kept) for the current point, of which the pass leaves the derivatives.
+  template <typename Pass>
+  void pass_over_current(const Pass& pass);
   // Output weights that the linearisation at the current point expects elsewhere.
   void predict(std::span<const double> hidden_weights, std::vector<double>& output_weights) const;
 
@@ -61,10 +64,14 @@ class SeparablePerceptron final : public SumOfSquares {
   const Samples& samples_;
   const ColumnBlock& fixed_;
   Solution current_, trial_;
-  PerceptronProducts products_;
-  bool linearised_ = false;  // at the current point
-  Matrix projection_;        // (qᵀq)⁻¹ qᵀD there; columns of q by hidden weights
-  std::vector<double> de_;   // Dᵀe there
+  BasisProducts products_;
+  BlockColumns columns_;
+  Kept kept_ = Kept::nothing;  // in the columns, of the current point
+  bool trial_kept_ = false;    // the basis of the trial point is in the columns
+  bool linearised_ = false;    // at the current point
+  Matrix cross_;               // Dᵀq there; hidden weights by columns of q
+  Matrix projection_;          // (qᵀq)⁻¹ qᵀD there; columns of q by hidden weights
+  std::vector<double> de_;     // Dᵀe there
 };
 
 }  // namespace proofmass

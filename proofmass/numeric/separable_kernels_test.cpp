@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "proofmass/numeric/perceptron_kernels.hpp"
+#include "proofmass/numeric/separable_kernels.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/scalar_perceptron.hpp"
 
@@ -56,6 +56,9 @@ struct Case {
       for (double& value : projection.column(c)) value = 0.3 * random.normal();
     }
   }
+
+  [[nodiscard]] SeparableNetwork network() const { return {shape, weights, samples, fixed, transform}; }
+  [[nodiscard]] BlockColumns columns() const { return separable_columns(shape, fixed.columns(), samples); }
 
   [[nodiscard]] std::span<const double> output() const {
     return std::span(weights).subspan(shape.hidden_weights());
@@ -175,40 +178,82 @@ Matrix column(const std::vector<double>& values) {
   return result;
 }
 
+void expect_basis_products(const Case& c, const BasisProducts& products) {
+  const Columns q = c.q(), e{c.error()};
+  expect_products(q, q, products.qq, "qq");
+  expect_products(q, e, column(products.qe), "qe");
+  expect_products(e, e, column({products.ee}), "ee");
+}
+
+void expect_projected_products(const Case& c, const Matrix& dq, const Matrix& pp,
+                               const std::vector<double>& pe) {
+  const Columns p = c.projected();
+  expect_products(c.jacobian(), c.q(), dq, "dq");
+  expect_products(p, p, pp, "pp");
+  expect_products(p, {c.error()}, column(pe), "pe");
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t k = 0; k < p.size(); ++k) ASSERT_EQ(pp(i, k), pp(k, i));
+  }
+}
+
 TEST_P(HiddenKernels, ProductsAreThoseOfTheColumns) {
   for (const Case& c : cases(2)) {
     SCOPED_TRACE(describe(c));
-    PerceptronProducts products(c.shape, c.fixed.columns());
-    perceptron_products(c.shape, c.weights, c.samples, c.fixed, c.transform, c.projection, products);
-    const Columns q = c.q(), p = c.projected(), e{c.error()};
-    expect_products(q, q, products.qq, "qq");
-    expect_products(q, e, column(products.qe), "qe");
-    expect_products(p, p, products.pp, "pp");
-    expect_products(p, q, products.pq, "pq");
-    expect_products(p, e, column(products.pe), "pe");
-    Matrix dq(c.shape.hidden_weights(), q.size());
-    perceptron_cross_products(c.shape, c.weights, c.samples, c.fixed, c.transform, dq);
-    expect_products(c.jacobian(), q, dq, "dq");
-    expect_products(e, e, column({products.ee}), "ee");
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      for (std::size_t k = 0; k < p.size(); ++k) ASSERT_EQ(products.pp(i, k), products.pp(k, i));
-    }
+    BlockColumns columns = c.columns();
+    const std::size_t p = c.shape.hidden_weights();
+    BasisProducts basis(c.transform.columns());
+    Matrix dq(p, c.transform.columns()), pp(p, p);
+    std::vector<double> pe(p);
+    sum_projected_products(c.network(), Kept::nothing, columns, c.projection, pp, pe);
+    sum_cross_products(c.network(), Kept::nothing, columns, dq);
+    sum_basis_products(c.network(), Kept::nothing, columns, basis);
+    expect_basis_products(c, basis);
+    expect_projected_products(c, dq, pp, pe);
   }
 }
 
-TEST_P(HiddenKernels, ProductsWithoutDerivatives) {
-  for (const Case& c : cases(3)) {
+// What is kept stands for the hidden weights, the transform and the output weights in turn: a pass that is
+// told which of them are the same as before finds the right columns, kept or not.
+TEST_P(HiddenKernels, ProductsAreTheSameOfColumnsKept) {
+  for (Case& c : cases(3)) {
     SCOPED_TRACE(describe(c));
-    PerceptronProducts products(c.shape, c.fixed.columns());
-    perceptron_products(c.shape, c.weights, c.samples, c.fixed, c.transform, {}, products);
-    const Columns q = c.q(), e{c.error()};
-    expect_products(q, q, products.qq, "qq");
-    expect_products(q, e, column(products.qe), "qe");
-    expect_products(e, e, column({products.ee}), "ee");
+    BlockColumns columns = c.columns();
+    ASSERT_TRUE(columns.keeps());
+    const std::size_t p = c.shape.hidden_weights();
+    BasisProducts basis(c.transform.columns());
+    Matrix dq(p, c.transform.columns()), pp(p, p);
+    std::vector<double> pe(p);
+    sum_basis_products(c.network(), Kept::nothing, columns, basis);
+    for (std::size_t k = 0; k < c.transform.columns(); ++k) c.transform(0, k) += 0.25;
+    sum_basis_products(c.network(), Kept::activations, columns, basis);
+    expect_basis_products(c, basis);
+    for (std::size_t k = c.shape.hidden_weights(); k < c.weights.size(); ++k) c.weights[k] *= -1.5;
+    sum_basis_products(c.network(), Kept::basis, columns, basis);
+    expect_basis_products(c, basis);
+    c.weights.back() += 1.0;
+    sum_cross_products(c.network(), Kept::basis, columns, dq);
+    sum_projected_products(c.network(), Kept::derivatives, columns, c.projection, pp, pe);
+    expect_projected_products(c, dq, pp, pe);
   }
 }
 
-TEST_P(HiddenKernels, CurvatureIsThatOfTheScalarNetwork) {
+TEST_P(HiddenKernels, ProductsOfMoreSamplesThanAreKept) {
+  RandomStream random(5);
+  Case c({.inputs = 3, .hidden = 7}, 30000, 0, random);
+  BlockColumns columns = c.columns();
+  ASSERT_FALSE(columns.keeps());
+  const std::size_t p = c.shape.hidden_weights();
+  BasisProducts basis(c.transform.columns());
+  Matrix dq(p, c.transform.columns()), pp(p, p);
+  std::vector<double> pe(p);
+  sum_basis_products(c.network(), Kept::nothing, columns, basis);
+  sum_cross_products(c.network(), Kept::basis, columns, dq);
+  sum_projected_products(c.network(), Kept::derivatives, columns, c.projection, pp, pe);
+  expect_basis_products(c, basis);
+  expect_projected_products(c, dq, pp, pe);
+}
+
+TEST_P(HiddenKernels, SecondDerivativeIsThatOfTheScalarNetwork) {
   RandomStream random(4);
   for (const Case& c : cases(4)) {
     SCOPED_TRACE(describe(c));
@@ -225,17 +270,29 @@ TEST_P(HiddenKernels, CurvatureIsThatOfTheScalarNetwork) {
         second[0][row] += 2 * (1 - h * h) * dz * (dv - c.output()[j] * h * dz);
       }
     }
-    const std::vector<double> removed =
-        random.index(2) == 0 ? std::vector<double>() : test::random_vector(c.transform.columns(), random);
-    const Columns q = c.q();
-    for (std::size_t k = 0; k < removed.size(); ++k) {
-      for (std::size_t row = 0; row < c.samples.rows(); ++row) second[0][row] -= q[k][row] * removed[k];
+    // Its projection on q by a matrix that need not be the inverse.
+    const std::size_t n = c.transform.columns();
+    Matrix inverse(n, n);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < n; ++k) inverse(i, k) = 0.01 * random.normal();
     }
-    std::vector<double> d_second(c.shape.hidden_weights()), q_second(c.transform.columns());
-    perceptron_curvature(c.shape, c.weights, direction, c.samples, c.fixed, c.transform, removed, d_second,
-                         q_second);
-    expect_products(c.jacobian(), second, column(d_second), "d");
-    expect_products(q, second, column(q_second), "q");
+    const Columns q = c.q();
+    RealVector products(n);
+    for (std::size_t k = 0; k < n; ++k) products[k] = dot(q[k], second[0]);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t row = 0; row < c.samples.rows(); ++row) {
+          second[0][row] -= q[i][row] * inverse(i, k) * products[k];
+        }
+      }
+    }
+    BlockColumns columns = c.columns();
+    std::vector<double> d_second(c.shape.hidden_weights()), q_second(n);
+    for (const Kept kept : {Kept::nothing, Kept::derivatives}) {
+      sum_second_derivative(c.network(), kept, columns, direction, inverse, d_second, q_second);
+      expect_products(c.jacobian(), second, column(d_second), "d");
+      expect_products(q, second, column(q_second), "q");
+    }
   }
 }
 

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/numeric/separable_kernels.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "proofmass/numeric/separable_kernels.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target includes this file once for every instruction set; the next headers must come after it.
+#include "proofmass/numeric/kernel_scratch_internal.hpp"
+#include "proofmass/numeric/separable_columns-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace proofmass {
+namespace HWY_NAMESPACE {
+
+// Scratch memory for the sums of a pass, all zero, and what else it needs.
+double* start(std::initializer_list<ProductSums*> sums, std::size_t more) {
+  std::size_t size = 0;
+  for (const ProductSums* list : sums) size += list->storage();
+  double* next = kernel_scratch(size + more);
+  std::fill_n(next, size, 0.0);
+  for (ProductSums* list : sums) {
+    list->start(next);
+    next += list->storage();
+  }
+  return next;
+}
+
+// Calls body with the first row of each block and its rows.
+template <typename Body>
+HWY_INLINE void for_each_block(const Samples& samples, const Body& body) {
+  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
+    body(first, std::min(kBlockRows, samples.padded_rows() - first));
+  }
+}
+
+void BasisSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns,
+               BasisProducts& products) {
+  SeparableColumns columns(network, kept, kept_columns, false);
+  const std::size_t n = columns.basis();
+  ProductSums sums(n + 1, n + 1, true);
+  columns.start(start({&sums}, columns.scratch()));
+  for_each_block(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+    columns.fill(first, rows);
+    for (std::size_t c = 0; c <= n; ++c) sums.left[c] = {columns.q() + c * kStride, nullptr};
+    sums.right = columns.q();
+    sums.add(rows);
+  });
+  sums.finish();
+  for (std::size_t c = 0; c < n; ++c) {
+    for (std::size_t r = 0; r <= c; ++r) products.qq(r, c) = products.qq(c, r) = sums.total(r, c);
+    products.qe[c] = sums.total(c, n);
+  }
+  products.ee = sums.total(n, n);
+}
+
+// The slope of each unit with each input and one, times the columns of q.
+void CrossSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns, Matrix& dq) {
+  const Samples& samples = network.samples;
+  SeparableColumns columns(network, kept, kept_columns, true);
+  const std::size_t inputs = network.shape.inputs;
+  const std::size_t hidden = network.shape.hidden;
+  ProductSums sums(hidden * (inputs + 1), columns.basis(), false);
+  columns.start(start({&sums}, columns.scratch()));
+  for_each_block(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+    columns.fill(first, rows);
+    for (std::size_t j = 0; j < hidden; ++j) {
+      for (std::size_t k = 0; k < inputs; ++k) {
+        sums.left[j * inputs + k] = {columns.slope(j), samples.input_data(k) + first};
+      }
+      sums.left[hidden * inputs + j] = {columns.slope(j), samples.mask_data() + first};
+    }
+    sums.right = columns.q();
+    sums.add(rows);
+  });
+  sums.finish();
+  for (std::size_t r = 0; r < sums.left.size(); ++r) {
+    for (std::size_t c = 0; c < columns.basis(); ++c) dq(r, c) = sums.total(r, c);
+  }
+}
+
+void ProjectedSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns,
+                   const Matrix& projection, Matrix& pp, double* pe) {
+  SeparableColumns columns(network, kept, kept_columns, true);
+  const std::size_t p = projection.columns();
+  ProductSums sums(p, p + 1, true);
+  double* const projected = start({&sums}, (p + 1) * kStride + columns.scratch());  // P, then the error
+  columns.start(projected + (p + 1) * kStride);
+  for (std::size_t c = 0; c < p; ++c) sums.left[c] = {projected + c * kStride, nullptr};
+  sums.right = projected;
+  for_each_block(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+    columns.fill(first, rows);
+    ProjectBlock(network.shape, network.samples, first, rows, columns.slope(0), columns.q(), projection,
+                 projected);
+    std::copy_n(columns.error(), rows, projected + p * kStride);
+    sums.add(rows);
+  });
+  sums.finish();
+  for (std::size_t c = 0; c < p; ++c) {
+    for (std::size_t r = 0; r <= c; ++r) pp(r, c) = pp(c, r) = sums.total(r, c);
+    pe[c] = sums.total(c, p);
+  }
+}
+
+// qᵀs of the second derivative as it is, in a first pass that leaves s where columns are kept.
+void SecondBasisSums(const SeparableNetwork& network, SeparableColumns& columns, const double* direction,
+                     double* q_second) {
+  ProductSums sums(1, columns.basis(), false);
+  columns.start(start({&sums}, columns.scratch()));
+  for_each_block(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+    columns.fill(first, rows);
+    SecondDerivative(network, direction, first, rows, columns);
+    sums.left[0] = {columns.second(), nullptr};
+    sums.right = columns.q();
+    sums.add(rows);
+  });
+  sums.finish();
+  for (std::size_t c = 0; c < columns.basis(); ++c) q_second[c] = sums.total(0, c);
+}
+
+void SecondSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns,
+                const double* direction, const Matrix& gram_inverse, double* d_second, double* q_second) {
+  const Samples& samples = network.samples;
+  SeparableColumns columns(network, kept, kept_columns, true);
+  const std::size_t inputs = network.shape.inputs;
+  const std::size_t hidden = network.shape.hidden;
+  const std::size_t n = columns.basis();
+  SecondBasisSums(network, columns, direction, q_second);
+  std::vector<double> removed(n, 0.0);
+  for (std::size_t c = 0; c < n; ++c) {
+    for (std::size_t r = 0; r < n; ++r) removed[r] += gram_inverse(r, c) * q_second[c];
+  }
+  columns.found(Kept::derivatives);
+  ProductSums by_weight(inputs + 1, hidden, false), by_output(1, n, false);
+  columns.start(start({&by_weight, &by_output}, columns.scratch()));
+  for_each_block(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+    columns.fill(first, rows);
+    if (!kept_columns.keeps()) SecondDerivative(network, direction, first, rows, columns);
+    SubtractColumns(columns.q(), removed, rows, columns.second());
+    for (std::size_t k = 0; k < inputs; ++k) {
+      by_weight.left[k] = {columns.second(), samples.input_data(k) + first};
+    }
+    by_weight.left[inputs] = {columns.second(), samples.mask_data() + first};
+    by_weight.right = columns.slope(0);
+    by_weight.add(rows);
+    by_output.left[0] = {columns.second(), nullptr};
+    by_output.right = columns.q();
+    by_output.add(rows);
+  });
+  by_weight.finish();
+  by_output.finish();
+  for (std::size_t j = 0; j < hidden; ++j) {
+    for (std::size_t k = 0; k < inputs; ++k) d_second[j * inputs + k] = by_weight.total(k, j);
+    d_second[hidden * inputs + j] = by_weight.total(inputs, j);
+  }
+  for (std::size_t c = 0; c < n; ++c) q_second[c] = by_output.total(0, c);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace proofmass
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace proofmass {
+
+HWY_EXPORT(BasisSums);
+HWY_EXPORT(CrossSums);
+HWY_EXPORT(ProjectedSums);
+HWY_EXPORT(SecondSums);
+
+void sum_basis_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+                        BasisProducts& products) {
+  HWY_DYNAMIC_DISPATCH(BasisSums)(network, kept, columns, products);
+}
+
+void sum_cross_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns, Matrix& dq) {
+  HWY_DYNAMIC_DISPATCH(CrossSums)(network, kept, columns, dq);
+}
+
+void sum_projected_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+                            const Matrix& projection, Matrix& pp, std::span<double> pe) {
+  HWY_DYNAMIC_DISPATCH(ProjectedSums)(network, kept, columns, projection, pp, pe.data());
+}
+
+void sum_second_derivative(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+                           std::span<const double> direction, const Matrix& gram_inverse,
+                           std::span<double> d_second, std::span<double> q_second) {
+  HWY_DYNAMIC_DISPATCH(SecondSums)
+  (network, kept, columns, direction.data(), gram_inverse, d_second.data(), q_second.data());
+}
+
+}  // namespace proofmass
+#endif  // HWY_ONCE

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Batch kernels of variable projection, vectorised, chosen at run time for the processor. One thread each.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "proofmass/numeric/block_columns.hpp"
+#include "proofmass/numeric/matrix.hpp"
+#include "proofmass/numeric/perceptron.hpp"
+#include "proofmass/numeric/perceptron_kernels.hpp"
+#include "proofmass/numeric/samples.hpp"
+
+namespace proofmass {
+
+// A network over its samples, with phi the columns that its output is linear in (hidden activations, ones,
+// fixed columns), q = phi * transform, e = target - output, D the derivatives of the output by the hidden
+// weights.
+struct SeparableNetwork {
+  const PerceptronShape& shape;
+  std::span<const double> weights;  // those of the shape, then one for each fixed column
+  const Samples& samples;
+  const ColumnBlock& fixed;  // columns of padded_rows() values, zero in the padding; may have none
+  const Matrix& transform;   // upper triangular, as many columns as phi
+};
+
+// What a pass finds of an earlier one, if the columns are kept at all.
+enum class Kept {
+  nothing,
+  activations,  // of the same hidden weights
+  basis,        // and q, of the same transform
+  derivatives   // and the error and the units' slopes, of the same output weights
+};
+
+// Columns that the kernels work with: q, error, second derivative, activations, slopes.
+[[nodiscard]] inline BlockColumns separable_columns(const PerceptronShape& shape, std::size_t fixed,
+                                                    const Samples& samples) {
+  return {shape.output_weights() + fixed + 2 + 2 * shape.hidden, samples.padded_rows()};
+}
+
+// Sums over the samples.
+struct BasisProducts {
+  explicit BasisProducts(std::size_t columns) : qq(columns, columns), qe(columns) {}
+
+  Matrix qq;               // qᵀq
+  std::vector<double> qe;  // qᵀe
+  double ee = 0.0;         // eᵀe
+};
+
+// Leaves the basis.
+void sum_basis_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+                        BasisProducts& products);
+
+// dq = Dᵀq, hidden weights by columns of q. Leaves the derivatives.
+void sum_cross_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns, Matrix& dq);
+
+// With P = D - q * projection: pp = PᵀP, pe = Pᵀe. Leaves the derivatives.
+void sum_projected_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+                            const Matrix& projection, Matrix& pp, std::span<double> pe);
+
+// With s the second derivative of the output along `direction` (of all weights), less its projection on q,
+// `gram_inverse` being (qᵀq)⁻¹: d_second = Dᵀs, q_second = qᵀs. Leaves the derivatives.
+void sum_second_derivative(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+                           std::span<const double> direction, const Matrix& gram_inverse,
+                           std::span<double> d_second, std::span<double> q_second);
+
+}  // namespace proofmass
