@@ -31,7 +31,7 @@ class BlockColumns {
   }
 
  private:
-  static constexpr std::size_t kMost = (std::size_t{4} << 20) / sizeof(double);
+  static constexpr std::size_t kMost = (std::size_t{3} << 20) / sizeof(double);
 
   std::size_t columns_ = 0;
   AlignedColumn storage_;

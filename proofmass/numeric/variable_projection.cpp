@@ -105,7 +105,6 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
       samples_(samples),
       fixed_(fixed),
       products_(shape.output_weights() + fixed.columns()),
-      columns_(separable_columns(shape, fixed.columns(), samples)),
       cross_(shape.hidden_weights(), shape.output_weights() + fixed.columns()),
       projection_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
       de_(shape.hidden_weights()) {
@@ -114,6 +113,7 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
     solution->transform = Matrix(n, n);
     solution->gram_inverse = Matrix(n, n);
     solution->output_weights.assign(n, 0.0);
+    solution->columns = separable_columns(shape, fixed.columns(), samples);
     view(solution->transform).setIdentity();
   }
 }
@@ -124,9 +124,11 @@ std::vector<double> SeparablePerceptron::all_weights(const Solution& solution) {
   return weights;
 }
 
-void SeparablePerceptron::sum_products(const Solution& solution, Kept kept) {
+void SeparablePerceptron::sum_products(Solution& solution) {
   const std::vector<double> weights = all_weights(solution);
-  sum_basis_products({shape_, weights, samples_, fixed_, solution.transform}, kept, columns_, products_);
+  sum_basis_products({shape_, weights, samples_, fixed_, solution.transform}, solution.kept, solution.columns,
+                     products_);
+  solution.kept = Kept::basis;
   for (std::size_t c = 0; c < columns(); ++c) {
     if (solution.transform(c, c) == 0.0) products_.qq(c, c) = 1.0;  // left out before
   }
@@ -135,9 +137,8 @@ void SeparablePerceptron::sum_products(const Solution& solution, Kept kept) {
 template <typename Pass>
 void SeparablePerceptron::pass_over_current(const Pass& pass) {
   const std::vector<double> weights = all_weights(current_);
-  if (kept_ == Kept::nothing) trial_kept_ = false;
-  pass(SeparableNetwork{shape_, weights, samples_, fixed_, current_.transform}, kept_);
-  kept_ = Kept::derivatives;
+  pass(SeparableNetwork{shape_, weights, samples_, fixed_, current_.transform});
+  current_.kept = Kept::derivatives;
 }
 
 double SeparablePerceptron::solve(std::span<const double> hidden_weights, double tolerance,
@@ -148,14 +149,13 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
   restore_dropped(view(solution.transform));
   Eigen::Map<Eigen::VectorXd> c(solution.output_weights.data(), size);
   double sum = 0.0;
-  Kept kept = kept_ = Kept::nothing;
-  trial_kept_ = true;
+  solution.kept = Kept::nothing;
   // Each pass finds the error e of the weights so far, and the weights' correction from its normal equations
   // on q: Newton's iteration for a linear problem, which ends when rounding no longer matters. Columns that
   // are badly conditioned are first made orthogonal by Cholesky QR (Yamamoto et al. 2015). From a good guess
   // and the current point's transform one pass is usually enough.
   for (int pass = 1; pass <= kPasses; ++pass) {
-    sum_products(solution, std::exchange(kept, Kept::basis));
+    sum_products(solution);
     if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
       c.setZero();  // nobody may start from such weights
       return std::numeric_limits<double>::infinity();
@@ -178,7 +178,7 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
     factor = factorise_independent(view(solution.transform), view(products_.qq),
                                    std::sqrt(static_cast<double>(samples_.rows())));
     factor.matrixU().solveInPlace<Eigen::OnTheRight>(view(solution.transform));
-    kept = Kept::activations;
+    solution.kept = Kept::activations;
     for (Eigen::Index k = 0; k < size; ++k) {
       if (cview(solution.transform)(k, k) == 0.0) c(k) = 0.0;
     }
@@ -213,7 +213,6 @@ double SeparablePerceptron::estimate(std::span<const double> hidden_weights) {
 void SeparablePerceptron::accept() {
   std::swap(current_, trial_);
   trial_.output_weights = current_.output_weights;
-  kept_ = std::exchange(trial_kept_, false) ? Kept::basis : Kept::nothing;
   linearised_ = false;
 }
 
@@ -221,12 +220,12 @@ void SeparablePerceptron::accept() {
 // millionth of it: PᵀP from DᵀD and Dᵀq would be rounding. So a first pass finds C, a second sums what is
 // left; what rounding has left of q in it is a millionth of that again.
 void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
-  pass_over_current([&](const SeparableNetwork& network, Kept kept) {
-    sum_cross_products(network, kept, columns_, cross_);
+  pass_over_current([&](const SeparableNetwork& network) {
+    sum_cross_products(network, current_.kept, current_.columns, cross_);
   });
   view(projection_).noalias() = cview(current_.gram_inverse) * cview(cross_).transpose();
-  pass_over_current([&](const SeparableNetwork& network, Kept kept) {
-    sum_projected_products(network, kept, columns_, projection_, normal, de_);
+  pass_over_current([&](const SeparableNetwork& network) {
+    sum_projected_products(network, current_.kept, current_.columns, projection_, normal, de_);
   });
   std::transform(de_.begin(), de_.end(), gradient.begin(), std::negate<>());
   linearised_ = true;
@@ -256,8 +255,8 @@ bool SeparablePerceptron::curvature(std::span<const double> direction, std::span
       transform * (cview(current_.gram_inverse) * (transform.transpose() * moved) - cview(projection_) * v);
 
   std::vector<double> qs(columns());
-  pass_over_current([&](const SeparableNetwork& network, Kept kept) {
-    sum_second_derivative(network, kept, columns_, along, current_.gram_inverse, result, qs);
+  pass_over_current([&](const SeparableNetwork& network) {
+    sum_second_derivative(network, current_.kept, current_.columns, along, current_.gram_inverse, result, qs);
   });
   const Eigen::Map<const Eigen::VectorXd> q_second(qs.data(), n);
   Eigen::Map<Eigen::VectorXd> second(result.data(), p);

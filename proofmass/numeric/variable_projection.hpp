@@ -45,6 +45,8 @@ class SeparablePerceptron final : public SumOfSquares {
     std::vector<double> output_weights;
     Matrix transform;     // upper triangular: phi * transform = q spans what phi does, well conditioned
     Matrix gram_inverse;  // (qᵀq)⁻¹
+    BlockColumns columns;
+    Kept kept = Kept::nothing;  // in the columns
   };
 
   // Hidden units, bias and fixed columns.
@@ -53,8 +55,8 @@ class SeparablePerceptron final : public SumOfSquares {
   // of squares is below the tolerance.
   double solve(std::span<const double> hidden_weights, double tolerance, Solution& solution);
   [[nodiscard]] static std::vector<double> all_weights(const Solution& solution);
-  void sum_products(const Solution& solution, Kept kept);
-  // Calls pass(network, kept) for the current point, of which the pass leaves the derivatives.
+  void sum_products(Solution& solution);
+  // Calls pass(network) for the current point, of which the pass leaves the derivatives.
   template <typename Pass>
   void pass_over_current(const Pass& pass);
   // Output weights that the linearisation at the current point expects elsewhere.
@@ -65,13 +67,10 @@ class SeparablePerceptron final : public SumOfSquares {
   const ColumnBlock& fixed_;
   Solution current_, trial_;
   BasisProducts products_;
-  BlockColumns columns_;
-  Kept kept_ = Kept::nothing;  // in the columns, of the current point
-  bool trial_kept_ = false;    // the basis of the trial point is in the columns
-  bool linearised_ = false;    // at the current point
-  Matrix cross_;               // Dᵀq there; hidden weights by columns of q
-  Matrix projection_;          // (qᵀq)⁻¹ qᵀD there; columns of q by hidden weights
-  std::vector<double> de_;     // Dᵀe there
+  bool linearised_ = false;  // at the current point
+  Matrix cross_;             // Dᵀq there; hidden weights by columns of q
+  Matrix projection_;        // (qᵀq)⁻¹ qᵀD there; columns of q by hidden weights
+  std::vector<double> de_;   // Dᵀe there
 };
 
 }  // namespace proofmass
