@@ -75,10 +75,9 @@ Answer train_by_gain(const Request& request, const NetworkSamples& rows, const P
                      const Samples& samples) {
   return contend_training(request, rows, [&](std::span<const double> start, std::size_t epochs) {
     proofmass::PerceptronProblem problem(shape, samples);
-    const proofmass::LevenbergMarquardtOptions options{
-        .iterations = epochs, .mu = 1e-3, .mu_max = 1e16};
-    const proofmass::LevenbergMarquardtResult result =
-        proofmass::minimise(problem, start, options, [](std::size_t, std::span<const double>, double) { return true; });
+    const proofmass::LevenbergMarquardtOptions options{.iterations = epochs, .mu = 1e-3, .mu_max = 1e16};
+    const proofmass::LevenbergMarquardtResult result = proofmass::minimise(
+        problem, start, options, [](std::size_t, std::span<const double>, double) { return true; });
     return Trained{.weights = result.point,
                    .rmse = std::sqrt(result.sum_of_squares / static_cast<double>(samples.rows())),
                    .epochs = result.iterations};

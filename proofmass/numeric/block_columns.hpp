@@ -7,12 +7,13 @@
 
 namespace proofmass {
 
-// Columns of all samples, a block of rows after the other, that a pass over the samples leaves for later ones.
-// Keeps nothing where that would be so much that reading it takes as long as computing it again.
+// Columns of all samples, a block of rows after the other, that a pass over the samples leaves for later
+// ones. Keeps nothing where that would be so much that reading it takes as long as computing it again.
 class BlockColumns {
  public:
-  // Rows of a block, and how far apart its columns stand: all of them stay in the second level of cache, those
-  // that are multiplied in the first, where a stride that is a power of two would send them all to a few sets.
+  // Rows of a block, and how far apart its columns stand: all of them stay in the second level of cache,
+  // those that are multiplied in the first, where a stride that is a power of two would send them all to a
+  // few sets.
   static constexpr std::size_t kRows = 256;
   static constexpr std::size_t kStride = kRows + 8;
 

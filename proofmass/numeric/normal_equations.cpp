@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <utility>
 
+#include "proofmass/numeric/cholesky_kernel.hpp"
 #include "proofmass/numeric/linearised_sum_internal.hpp"
 
 namespace proofmass {
 namespace {
 
 using Vector = Eigen::VectorXd;
+using Padded = Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
 
 class NormalEquations final : public LinearisedSum {
  public:
@@ -14,7 +17,9 @@ class NormalEquations final : public LinearisedSum {
       : problem_(problem),
         n_(static_cast<Eigen::Index>(problem.parameters())),
         normal_(problem.parameters(), problem.parameters()),
-        gradient_(n_) {}
+        gradient_(n_),
+        damping_(n_),
+        factor_(problem.parameters()) {}
 
   double evaluate(const Vector& x) override { return problem_.evaluate({x.data(), problem_.parameters()}); }
   void accept() override { problem_.accept(); }
@@ -25,33 +30,44 @@ class NormalEquations final : public LinearisedSum {
   [[nodiscard]] double least_scale() const noexcept override { return 1e-30; }
 
   bool factor(const Vector& damping) override {
-    Eigen::MatrixXd damped = normal();
-    damped.diagonal() += damping;
-    factor_.compute(damped);
-    return factor_.info() == Eigen::Success;
+    damping_ = damping;
+    lower() = normal();
+    lower().diagonal() += damping;
+    return cholesky_in_place(factor_);
   }
-  [[nodiscard]] Vector velocity() const override { return -factor_.solve(gradient_); }
+  [[nodiscard]] Vector velocity() const override { return solve(gradient_); }
 
   [[nodiscard]] std::optional<Vector> acceleration(const Vector& velocity) override {
     Vector second(n_);
     const std::span<const double> direction(velocity.data(), problem_.parameters());
     if (!problem_.curvature(direction, view(second))) return std::nullopt;
-    return -factor_.solve(second);
+    return solve(std::move(second));
   }
 
+  // -2 gᵀv - vᵀNv where (N + damping) v = -g.
   [[nodiscard]] double predicted_reduction(const Vector& velocity) const override {
-    return -2.0 * gradient_.dot(velocity) - velocity.dot(normal() * velocity);
+    return (velocity.array() * (damping_.array() * velocity.array() - gradient_.array())).sum();
   }
 
  private:
   [[nodiscard]] std::span<double> view(Vector& v) const { return {v.data(), problem_.parameters()}; }
   [[nodiscard]] Eigen::Map<const Eigen::MatrixXd> normal() const { return {normal_.data(), n_, n_}; }
+  [[nodiscard]] Padded lower() const {
+    return {factor_.values.data(), n_, n_, Eigen::OuterStride<>(static_cast<Eigen::Index>(factor_.stride))};
+  }
+  // The solution for -b.
+  [[nodiscard]] Vector solve(Vector b) const {
+    const auto triangle = lower().triangularView<Eigen::Lower>();
+    triangle.solveInPlace(b);
+    triangle.transpose().solveInPlace(b);
+    return -b;
+  }
 
   SumOfSquares& problem_;
   Eigen::Index n_;
   Matrix normal_;
-  Vector gradient_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Vector gradient_, damping_;
+  mutable PaddedSquare factor_;
 };
 
 }  // namespace

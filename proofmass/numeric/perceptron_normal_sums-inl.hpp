@@ -78,8 +78,8 @@ class NormalSums {
         cross_(hidden_ * (inputs_ + 1), hidden_ + 2, false),
         outputs_(hidden_ + 2, hidden_ + 2, true) {
     const std::size_t sums = slopes_.storage() + cross_.storage() + outputs_.storage();
-    double* next = kernel_scratch(sums + hidden_ * kStride + columns.hidden.block_size() +
-                                  columns.moments.block_size());
+    double* next =
+        kernel_scratch(sums + hidden_ * kStride + columns.hidden.block_size() + columns.moments.block_size());
     std::fill_n(next, sums, 0.0);
     for (ProductSums* list : {&slopes_, &cross_, &outputs_}) {
       list->start(next);

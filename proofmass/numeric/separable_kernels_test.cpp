@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels of variable projection against plain dense algebra in extended precision.
+#include "proofmass/numeric/separable_kernels.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "proofmass/numeric/separable_kernels.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/scalar_perceptron.hpp"
 
