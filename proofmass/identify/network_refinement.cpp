@@ -108,8 +108,13 @@ Refinement refine(const NetworkTrainer& trainer, std::vector<TrainingState> cand
     }
     if (refinement.best.training_rmse <= plan.good_enough) break;
   }
-  progress.update(plan.stage, total, total);
   for (const TrainingState& candidate : candidates) refinement.epochs += candidate.epochs;
+  const std::size_t before = refinement.best.epochs;
+  trainer.polish(refinement.best, plan.epochs - std::min(plan.epochs, before),
+                 [&progress] { return !progress.cancelled(); });
+  if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
+  refinement.epochs += refinement.best.epochs - before;
+  progress.update(plan.stage, total, total);
   return refinement;
 }
 

@@ -37,18 +37,27 @@ LevenbergMarquardtOptions projected() {
           .scaled = true,
           .geodesic_acceleration = true,
           .mu = 0.1,
-          .mu_max = 1e16,
-          .stall_window = 10,
-          .stall_reduction = 1e-2};
+          .mu_max = 1e16};
 }
 
-// How training goes on from its best point once kicks no longer help: to a minimum.
-constexpr std::size_t kPolishWindow = 50;
-constexpr double kPolishReduction = 1e-5;
-// A kick adds normal numbers of this standard deviation to the hidden weights, of inputs scaled to [-1, 1].
-constexpr double kKick = 0.1;
+// Settings to train by until what is left to gain is not worth the epochs.
+LevenbergMarquardtOptions until_rest(LevenbergMarquardtOptions settings) {
+  settings.stall_window = 6;
+  settings.stall_reduction = 1e-2;
+  return settings;
+}
+
+LevenbergMarquardtOptions until_minimum(LevenbergMarquardtOptions settings) {
+  settings.stall_window = 50;
+  settings.stall_reduction = 1e-5;
+  return settings;
+}
+
+// A kick adds normal numbers of this standard deviation to the hidden weights, of inputs scaled to [-1, 1]:
+// enough to leave the valley, little enough to keep what has been learnt.
+constexpr double kKick = 0.03;
 // A kick has helped when training comes to rest at less than this share of the least sum of squares before.
-constexpr double kGain = 0.98;
+constexpr double kGain = 0.8;
 
 // Stops training when the validation error has not improved for some epochs, and remembers the best weights.
 class EarlyStopping {
@@ -77,6 +86,53 @@ class EarlyStopping {
   TrainingState& state_;
 };
 
+// Minimisations of one state one after the other, each epoch of them on record.
+class Descent {
+ public:
+  Descent(const PerceptronShape& shape, const Samples& training, const Samples* validation,
+          const NetworkOptions& options, TrainingState& state, const std::function<bool()>& keep_going)
+      : separable_(options.trainer == Trainer::varpro),
+        training_(training),
+        hidden_(shape, training),
+        all_(shape, training),
+        state_(state),
+        keep_going_(keep_going) {
+    if (validation != nullptr) early_.emplace(shape, *validation, options.validation_failures, state);
+  }
+
+  LevenbergMarquardtResult run(const LevenbergMarquardtOptions& settings) {
+    SumOfSquares& problem = separable_ ? static_cast<SumOfSquares&>(hidden_) : all_;
+    const std::span<const double> from(state_.point.data(), problem.parameters());
+    return minimise(problem, from, settings,
+                    [this](std::size_t, std::span<const double> point, double sum_of_squares) {
+                      return observe(point, root_mean(sum_of_squares, training_));
+                    });
+  }
+
+  [[nodiscard]] bool stopped_early() const noexcept { return stopped_early_; }
+
+ private:
+  bool observe(std::span<const double> point, double rmse) {
+    state_.training_curve.push_back(std::min(rmse, state_.training_curve.back()));
+    if (early_) {
+      std::vector<double> weights(point.begin(), point.end());
+      const auto& output = hidden_.output_weights();
+      if (separable_) weights.insert(weights.end(), output.begin(), output.end());
+      stopped_early_ = !early_->improve(std::move(weights), rmse);
+    }
+    return !stopped_early_ && keep_going_();
+  }
+
+  bool separable_;
+  const Samples& training_;
+  SeparablePerceptron hidden_;
+  PerceptronProblem all_;
+  TrainingState& state_;
+  const std::function<bool()>& keep_going_;
+  std::optional<EarlyStopping> early_;
+  bool stopped_early_ = false;
+};
+
 }  // namespace
 
 NetworkTrainer::NetworkTrainer(const PerceptronShape& shape, const Samples& training,
@@ -89,7 +145,6 @@ TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream ra
   }
   TrainingState state;
   state.random = random;
-  state.polishing = validation_ != nullptr;  // whose rows end the training, without kicks
   state.weights = std::move(weights);
   state.point = state.weights;
   state.training_rmse = root_mean(perceptron_sse(shape_, state.weights, training_), training_);
@@ -103,26 +158,24 @@ TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream ra
 }
 
 bool NetworkTrainer::go_on(TrainingState& state, double sum_of_squares) const {
-  if (options_.trainer != Trainer::varpro || validation_ != nullptr || state.polishing) return false;
+  if (options_.trainer != Trainer::varpro || validation_ != nullptr) return false;
   const bool helped = sum_of_squares < kGain * state.settled;
   state.settled = std::min(state.settled, sum_of_squares);
   state.idle_kicks = helped ? 0 : state.idle_kicks + 1;
-  state.polishing = state.idle_kicks >= options_.kicks;
   state.point = state.weights;
   state.mu = projected().mu;
-  if (state.polishing) return true;
+  if (state.idle_kicks >= options_.kicks) return false;
   ++state.kicks;
   for (std::size_t k = 0; k < shape_.hidden_weights(); ++k) state.point[k] += kKick * state.random.normal();
   return true;
 }
 
-LevenbergMarquardtOptions NetworkTrainer::settings_for(const TrainingState& state, std::size_t epochs) const {
-  LevenbergMarquardtOptions settings = options_.trainer == Trainer::varpro ? projected() : textbook(options_);
-  if (state.polishing) {
-    settings.stall_window = kPolishWindow;
-    settings.stall_reduction = kPolishReduction;
+LevenbergMarquardtOptions NetworkTrainer::settings(const TrainingState& state) const {
+  LevenbergMarquardtOptions settings = textbook(options_);
+  if (options_.trainer == Trainer::varpro) {
+    // Validation rows end the training themselves.
+    settings = validation_ != nullptr ? until_minimum(projected()) : until_rest(projected());
   }
-  settings.iterations = epochs;
   settings.mu = state.mu;
   return settings;
 }
@@ -143,28 +196,11 @@ void NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& stat
 void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
                            const std::function<bool()>& keep_going) const {
   if (state.finished) return;
-  SeparablePerceptron hidden(shape_, training_);
-  PerceptronProblem all(shape_, training_);
-  const bool separable = options_.trainer == Trainer::varpro;
-  SumOfSquares& problem = separable ? static_cast<SumOfSquares&>(hidden) : all;
-  std::optional<EarlyStopping> early;
-  if (validation_ != nullptr) early.emplace(shape_, *validation_, options_.validation_failures, state);
-  bool stopped_early = false;
-  const auto observe = [&](std::size_t, std::span<const double> point, double sum_of_squares) {
-    const double rmse = root_mean(sum_of_squares, training_);
-    state.training_curve.push_back(std::min(rmse, state.training_curve.back()));
-    if (early) {
-      std::vector<double> weights(point.begin(), point.end());
-      const auto& output = hidden.output_weights();
-      if (separable) weights.insert(weights.end(), output.begin(), output.end());
-      stopped_early = !early->improve(std::move(weights), rmse);
-    }
-    return !stopped_early && keep_going();
-  };
-
+  Descent descent(shape_, training_, validation_, options_, state, keep_going);
   for (std::size_t left = epochs; left > 0 && !state.finished;) {
-    const std::span<const double> from(state.point.data(), problem.parameters());
-    LevenbergMarquardtResult result = minimise(problem, from, settings_for(state, left), observe);
+    LevenbergMarquardtOptions settings = this->settings(state);
+    settings.iterations = left;
+    LevenbergMarquardtResult result = descent.run(settings);
     left -= std::min(left, std::max<std::size_t>(result.iterations, 1));
     const double sum_of_squares = result.sum_of_squares;
     take(std::move(result), state);
@@ -173,10 +209,24 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
   }
   if (!state.finished) {
     state.termination = {Cause::iteration_limit, "the epochs allowed are spent"};
-  } else if (stopped_early) {
+  } else if (descent.stopped_early()) {
     state.termination.reason =
         fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
   } else if (state.kicks > 0 && state.termination.cause != Cause::stopped) {
+    state.termination.reason += fmt::format(", kicks ({}) having ceased to help", state.kicks);
+  }
+}
+
+void NetworkTrainer::polish(TrainingState& state, std::size_t epochs,
+                            const std::function<bool()>& keep_going) const {
+  const bool rests = state.finished && state.termination.cause == Cause::stalled;
+  if (options_.trainer != Trainer::varpro || validation_ != nullptr || !rests || epochs == 0) return;
+  Descent descent(shape_, training_, validation_, options_, state, keep_going);
+  LevenbergMarquardtOptions settings = until_minimum(projected());
+  settings.iterations = epochs;
+  state.point = state.weights;
+  take(descent.run(settings), state);
+  if (state.kicks > 0 && state.termination.cause != Cause::stopped) {
     state.termination.reason += fmt::format(", kicks ({}) having ceased to help", state.kicks);
   }
 }

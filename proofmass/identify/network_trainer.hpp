@@ -31,9 +31,8 @@ struct TrainingState {
   std::size_t idle_kicks = 0;  // the last of them, without gain
   double settled =
       std::numeric_limits<double>::infinity();  // least sum of squares that training came to rest at
-  bool polishing = false;                       // kicks are over
   RandomStream random{0};                       // for the kicks
-  bool finished = false;                        // further epochs would change nothing
+  bool finished = false;                        // further training would change nothing
   Termination termination;
 };
 
@@ -53,11 +52,14 @@ class NetworkTrainer {
   // row have not helped: near-degenerate units with huge output weights, whose rounding hides further
   // progress, come apart.
   void train(TrainingState& state, std::size_t epochs, const std::function<bool()>& keep_going) const;
+  // Up to `epochs` further epochs to the minimum that training by variable projection came to rest near; none
+  // where something else ended it, or validation rows did.
+  void polish(TrainingState& state, std::size_t epochs, const std::function<bool()>& keep_going) const;
   // What candidates are compared by: the validation error where there is one, otherwise the training error.
   [[nodiscard]] double merit(const TrainingState& state) const noexcept;
 
  private:
-  [[nodiscard]] LevenbergMarquardtOptions settings_for(const TrainingState& state, std::size_t epochs) const;
+  [[nodiscard]] LevenbergMarquardtOptions settings(const TrainingState& state) const;
   void take(LevenbergMarquardtResult&& result, TrainingState& state) const;
   // Moves a state that has come to rest at the sum of squares to where it goes on; false when it is done.
   [[nodiscard]] bool go_on(TrainingState& state, double sum_of_squares) const;

@@ -35,47 +35,70 @@ void multiply(const double* a, const double* b, std::size_t count, double* resul
   for (std::size_t r = 0; r < count; ++r) result[r] = a[r] * b[r];
 }
 
-// The first, second and third powers of one axis over a block.
+// The term that is a power of one axis alone.
+constexpr std::array<std::array<Term, 3>, 3> kPowers{{{Term::Ki, Term::Kii, Term::Kiii},
+                                                      {Term::Ko, Term::Koo, Term::Kooo},
+                                                      {Term::Kp, Term::Kpp, Term::Kppp}}};
+
+// The first, second and third powers of the axes over a block: those that are terms in their columns, so that
+// they are written once, others aside.
 class AxisPowers {
  public:
+  AxisPowers(const TermList& terms, RowBlock& block) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t k = 0; k < 3; ++k) powers_[axis][k] = aside_[axis][k].data();
+    }
+    for (std::size_t c = 0; c < terms.size(); ++c) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (terms[c] == kPowers[axis][k]) powers_[axis][k] = block.column(c);
+        }
+      }
+    }
+  }
+
   // An axis without values is zero.
-  AxisPowers(const std::vector<double>& values, double scale, std::size_t first, std::size_t count) {
+  void fill(std::size_t axis, const std::vector<double>& values, double scale, std::size_t first,
+            std::size_t count) {
+    const auto& [one, two, three] = powers_[axis];
     if (values.empty()) {
-      powers_ = {};
+      for (double* const column : powers_[axis]) std::fill_n(column, count, 0.0);
       return;
     }
-    for (std::size_t r = 0; r < count; ++r) powers_[0][r] = values[first + r] * scale;
-    multiply(of(1), of(1), count, powers_[1].data());
-    multiply(of(2), of(1), count, powers_[2].data());
+    for (std::size_t r = 0; r < count; ++r) one[r] = values[first + r] * scale;
+    multiply(one, one, count, two);
+    multiply(two, one, count, three);
   }
-  [[nodiscard]] const double* of(int exponent) const {
-    return powers_[static_cast<std::size_t>(exponent - 1)].data();
+
+  [[nodiscard]] const double* of(std::size_t axis, int exponent) const {
+    return powers_[axis][static_cast<std::size_t>(exponent - 1)];
   }
 
  private:
-  std::array<Column, 3> powers_;
+  std::array<std::array<double*, 3>, 3> powers_{};
+  std::array<std::array<Column, 3>, 3> aside_;
 };
 
 // The regressor of one term, multiplied in the order that regressor() has.
-void write_regressor(Term term, const std::array<AxisPowers, 3>& axes, std::size_t count, double* column) {
+void write_regressor(Term term, const AxisPowers& powers, std::size_t count, double* column) {
   if (term == Term::Koq) {
-    const double* const a = axes[0].of(1);
+    const double* const a = powers.of(0, 1);
     for (std::size_t r = 0; r < count; ++r) column[r] = std::abs(a[r]) * a[r];
     return;
   }
-  bool empty = true;
-  for (const Axis axis : kAxes) {
-    const auto k = static_cast<std::size_t>(axis);
-    if (!info(term).uses(axis)) continue;
-    const double* const factor = axes[k].of(info(term).powers[k]);
-    if (empty) {
-      std::copy_n(factor, count, column);
-    } else {
-      multiply(column, factor, count, column);
-    }
-    empty = false;
+  const double* product = nullptr;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int exponent = info(term).powers[axis];
+    if (exponent == 0) continue;
+    const double* const factor = powers.of(axis, exponent);
+    if (product != nullptr) multiply(product, factor, count, column);
+    product = product != nullptr ? column : factor;
   }
-  if (empty) std::fill_n(column, count, 1.0);
+  if (product == nullptr) {
+    std::fill_n(column, count, 1.0);
+  } else if (product != column) {
+    std::copy_n(product, count, column);
+  }
 }
 
 }  // namespace
@@ -95,13 +118,12 @@ TermRows::TermRows(const Dataset& data, TermList terms, const AxisRanges& ranges
 }
 
 void TermRows::fill(std::size_t first, std::size_t count, RowBlock& block) const {
-  const auto powers = [&](Axis axis) {
-    return AxisPowers(data_.along(axis), axis_scales_[static_cast<std::size_t>(axis)], first, count);
-  };
-  const std::array<AxisPowers, 3> axes{powers(Axis::input), powers(Axis::output), powers(Axis::pendulous)};
-  for (std::size_t c = 0; c < terms_.size(); ++c) {
-    write_regressor(terms_[c], axes, count, block.column(c));
+  AxisPowers powers(terms_, block);
+  for (const Axis axis : kAxes) {
+    const auto k = static_cast<std::size_t>(axis);
+    powers.fill(k, data_.along(axis), axis_scales_[k], first, count);
   }
+  for (std::size_t c = 0; c < terms_.size(); ++c) write_regressor(terms_[c], powers, count, block.column(c));
   double* const response = block.column(terms_.size());
   if (data_.output.empty()) {
     std::fill_n(response, count, 0.0);

@@ -34,23 +34,26 @@ struct Weighted {
   std::optional<std::size_t> iterations;  // of the variance model
 };
 
+Error bad_sigma(const Dataset& training, std::size_t row) {
+  const std::size_t line = training.line.empty() ? 0 : training.line[row];
+  return bad_data(
+      {.file = training.source, .row = line, .column = "sigma_E"},
+      fmt::format("{}", training.output_sigma[row]),
+      "a standard uncertainty above zero; or leave weights to the residuals with --weights model");
+}
+
 // 1 / sigma_E² over its mean.
 std::vector<double> sigma_weights(const Dataset& training) {
-  std::vector<double> weights;
-  weights.reserve(training.rows());
-  for (std::size_t row = 0; row < training.rows(); ++row) {
+  std::vector<double> weights(training.rows());
+  double sum = 0.0;
+  for (std::size_t row = 0; row < weights.size(); ++row) {
     const double sigma = training.output_sigma[row];
-    if (!(sigma > 0.0) || !std::isfinite(sigma)) {
-      const std::size_t line = training.line.empty() ? 0 : training.line[row];
-      throw bad_data(
-          {.file = training.source, .row = line, .column = "sigma_E"}, fmt::format("{}", sigma),
-          "a standard uncertainty above zero; or leave weights to the residuals with --weights model");
-    }
-    weights.push_back(1.0 / (sigma * sigma));
+    if (!(sigma > 0.0) || !std::isfinite(sigma)) throw bad_sigma(training, row);
+    weights[row] = 1.0 / (sigma * sigma);
+    sum += weights[row];
   }
-  double mean = 0.0;
-  for (const double weight : weights) mean += weight / static_cast<double>(weights.size());
-  for (double& weight : weights) weight /= mean;
+  const double scale = static_cast<double>(weights.size()) / sum;
+  for (double& weight : weights) weight *= scale;
   return weights;
 }
 
