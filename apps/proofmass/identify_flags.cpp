@@ -128,7 +128,7 @@ void IdentifyFlags::add_network_options(CLI::App& verb) {
   whole(verb, "--epochs", 1, kMostIterations, "At most N training epochs a start (default 1000)",
         [](Settings& s, std::uint64_t n) { s.options.network.epochs = n; });
   whole(verb, "--kicks", 0, kMostIterations,
-        "Perturbations in a row without gain before varpro goes on to a minimum (default 2)",
+        "Perturbations in a row without gain before varpro ends (default 2)",
         [](Settings& s, std::uint64_t n) { s.options.network.kicks = n; });
   whole(verb, "--starts", 1, kMostParticles,
         "Random starts of bp; the best few are trained to the end (default 1)",

@@ -56,7 +56,7 @@ def shares(results, rows):
     for name, section, contestant, operations in (
         ("forward", "forward", "Proofmass", bounds.forward(3, 7)),
         ("epoch's kernels", "epoch", "Proofmass, kernels of one trial", bounds.kernels(3, 7)),
-        ("epoch, lm", "epoch", "Proofmass, lm", bounds.epoch(3, 7, rows)),
+        ("epoch, lm by gain", "epoch", networks.BY_GAIN, bounds.epoch(3, 7, rows)),
     ):
         if section in results:
             least = bounds.nanoseconds(operations, results["limits"])

@@ -6,6 +6,9 @@ from bench import checks as check
 from bench.rounds import interleave, summarise
 
 
+BY_GAIN = "Proofmass, lm by gain"  # step by step what GSL's lm does
+
+
 def forward(stable, plan, checks):
     contestants = [
         stable.ours("Proofmass"),
@@ -25,8 +28,9 @@ def forward(stable, plan, checks):
 
 def trainers(stable, slow_rounds):
     return [
-        stable.ours("Proofmass, lm", variant="lm"),
+        stable.ours(BY_GAIN, variant="lm-gain"),
         stable.ours("Proofmass, varpro", variant="varpro"),
+        stable.ours("Proofmass, lm", variant="lm"),
         stable.program("GSL lm, tuned", "gsl_tuned", variant="lm"),
         stable.program("GSL lmaccel, tuned", "gsl_tuned", variant="lmaccel"),
         stable.program("Ceres, batched", "ceres_fast", variant="batched"),
@@ -43,24 +47,25 @@ def epoch(stable, plan, checks):
         stable.python("numpy loop", "numpy_peer.py"),
         stable.octave("Octave loop"),
     ]
-    for variant in ("varpro", "lm"):
-        contestants[2:2] = stable.ours_by_avx2(f"Proofmass, {variant}", variant=variant)
+    for name, variant in (("varpro", "varpro"), ("lm by gain", "lm-gain")):
+        contestants[3:3] = stable.ours_by_avx2(f"Proofmass, {name}", variant=variant)
     data = {"data": plan.folder / "samples.csv", "starts": plan.folder / "starts.csv"}
     answers = interleave(stable, contestants, plan.rounds, "train", epochs=30, seconds=plan.seconds, **data)
     check.stated_rmse(checks, "epoch", answers, plan.folder)
     kernels = [stable.ours("Proofmass, kernels of one trial")]
     answers |= interleave(stable, kernels, plan.rounds, "kernels", seconds=plan.seconds, **data)
-    textbook = [c for c in contestants if c.name in ("Proofmass, lm", "numpy loop", "Octave loop")]
-    few = interleave(stable, textbook, 1, "train", epochs=4, seconds=0, **data)
-    check.same_steps(checks, few, "Proofmass, lm")
-    return summarise(answers, "Proofmass, lm")
+    for names in (("Proofmass, lm", "numpy loop", "Octave loop"), (BY_GAIN, "GSL lm, tuned")):
+        same = [c for c in contestants if c.name in names]
+        few = interleave(stable, same, 1, "train", epochs=4, seconds=0, **data)
+        check.same_steps(checks, few, names[0])
+    return summarise(answers, BY_GAIN)
 
 
 def quality(stable, plan, checks):
     """RMSE over sigma after at most 1000 epochs from ten starts; all run to the end, timed each round."""
     contestants = trainers(stable, 1)
     if plan.quick:
-        contestants = contestants[:4]
+        contestants = contestants[:5]
     answers = interleave(
         stable, contestants, 1 if plan.quick else plan.rounds, "train", data=plan.folder / "samples.csv",
         starts=plan.folder / "starts.csv", epochs=1000, seconds=0,

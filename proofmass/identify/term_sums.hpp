@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/term_rows.hpp"
@@ -13,21 +15,26 @@ namespace proofmass {
 class TermSums {
  public:
   TermSums(const Dataset& data, TermList terms);
+  // And of the rows by weights, one each, not negative.
+  TermSums(const Dataset& data, TermList terms, std::span<const double> weights);
 
   [[nodiscard]] const Dataset& data() const noexcept { return data_; }
   [[nodiscard]] const TermList& terms() const noexcept { return terms_; }
   [[nodiscard]] const AxisRanges& ranges() const noexcept { return ranges_; }
-  [[nodiscard]] const GramMatrix& gram() const noexcept { return gram_; }
+  [[nodiscard]] const GramMatrix& gram() const noexcept { return grams_.plain; }
   // Of some of the terms, in the order named.
   [[nodiscard]] GramMatrix gram(const TermList& some) const;
+  [[nodiscard]] GramMatrix weighted_gram(const TermList& some) const;
   // The rows that gram(some) is of.
   [[nodiscard]] TermRows rows(const TermList& some) const { return {data_, some, ranges_}; }
 
  private:
+  [[nodiscard]] GramMatrix select(const GramMatrix& gram, const TermList& some) const;
+
   const Dataset& data_;
   TermList terms_;
   AxisRanges ranges_;
-  GramMatrix gram_;
+  GramMatrices grams_;
 };
 
 }  // namespace proofmass

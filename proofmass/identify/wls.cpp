@@ -42,18 +42,16 @@ Error bad_sigma(const Dataset& training, std::size_t row) {
       "a standard uncertainty above zero; or leave weights to the residuals with --weights model");
 }
 
-// 1 / sigma_E² over its mean.
+// 1 / sigma_E², that of the first row being one.
 std::vector<double> sigma_weights(const Dataset& training) {
-  std::vector<double> weights(training.rows());
-  double sum = 0.0;
-  for (std::size_t row = 0; row < weights.size(); ++row) {
+  std::vector<double> weights;
+  weights.reserve(training.rows());
+  for (std::size_t row = 0; row < training.rows(); ++row) {
     const double sigma = training.output_sigma[row];
     if (!(sigma > 0.0) || !std::isfinite(sigma)) throw bad_sigma(training, row);
-    weights[row] = 1.0 / (sigma * sigma);
-    sum += weights[row];
+    const double ratio = training.output_sigma.front() / sigma;
+    weights.push_back(ratio * ratio);
   }
-  const double scale = static_cast<double>(weights.size()) / sum;
-  for (double& weight : weights) weight *= scale;
   return weights;
 }
 
@@ -81,12 +79,11 @@ std::string chi_square_note(double ratio, double dof, ChiSquareScaling scaling) 
 Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<double> weights,
                       const WlsOptions& options) {
   const Dataset& training = sums.data();
-  // The variance that weight 1 stands for; any row tells it.
-  const double unit_variance =
-      weights.front() * training.output_sigma.front() * training.output_sigma.front();
+  // The variance that weight 1 stands for.
+  const double unit_variance = training.output_sigma.front() * training.output_sigma.front();
   const TermRows rows = sums.rows(terms);
   const WeightedRows weighted(rows, std::move(weights));
-  NormalSolution solution = solve_normal_equations(gram_matrix(weighted), weighted);
+  NormalSolution solution = solve_normal_equations(sums.weighted_gram(terms), weighted);
   const auto dof = static_cast<double>(training.rows() - terms.size());
   const double ratio = solution.rss / dof / unit_variance;
   Weighted result;
@@ -171,13 +168,14 @@ Identification identify_wls(const Dataset& training, const Dataset& /*validation
                             const IdentifyOptions& options, Progress& progress) {
   progress.update("weighted least squares", 0, 1);
   const bool by_sigma = uses_sigma(training, options.wls.weights);
-  const TermSums sums(training, options.terms);
+  std::vector<double> weights = by_sigma ? sigma_weights(training) : std::vector<double>();
+  const TermSums sums =
+      by_sigma ? TermSums(training, options.terms, weights) : TermSums(training, options.terms);
   Identifiability found = require_identifiable(sums, options.on_rank_loss);
   if (progress.cancelled())
     throw Error(ErrorKind::interrupted, "interrupted before the weighted least-squares solution");
   Weighted weighted;
   if (by_sigma) {
-    std::vector<double> weights = sigma_weights(training);
     found = require_identifiable_by_weight(training, found, weights, options.on_rank_loss);
     weighted = fit_by_sigma(sums, found.identified, std::move(weights), options.wls);
   } else {

@@ -11,6 +11,8 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
+std::size_t Padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
+
 // The sums of one pass, tile by tile over the upper triangle, lane by lane.
 class TiledSums {
  public:
@@ -25,23 +27,15 @@ class TiledSums {
     sums_.assign(tiles_.size() * 2 * kTile * kLanes, 0.0);
   }
 
-  // `rows` rows of a block, padded with zeros to a multiple of kLanes; bounds[c] is a power of two above the
-  // column's largest magnitude.
-  void set_column(std::size_t c, const double* values, double bound) {
-    pointers_[c] = values;
-    bounds_[c] = bound;
-  }
-  void add(std::size_t rows) {
-    const double unit = Anchor(rows);
-    double* sums = sums_.data();
-    for (const Tile& tile : tiles_) {
-      double anchors[kTile];
-      for (std::size_t k = 0; k < kTile; ++k) {
-        anchors[k] = unit * bounds_[tile.i + k / kTileColumns] * bounds_[tile.j + k % kTileColumns];
-      }
-      AddTile(&pointers_[tile.i], &pointers_[tile.j], rows, anchors, sums);
-      sums += 2 * kTile * kLanes;
+  // Adds `count` rows of a block, padded with zeros to a multiple of kLanes, and tells the sums to come their
+  // range.
+  void add(const RowBlock& block, std::size_t count, GramMatrix& gram) {
+    for (std::size_t c = 0; c < columns_; ++c) {
+      const Range range = RangeOf(block.column(c), count);
+      gram.widen_range(c, range.least, range.greatest);
+      set_column(c, block.column(c), PowerAbove(std::max(-range.least, range.greatest)));
     }
+    add(Padded(count));
   }
 
   void add_to(GramMatrix& gram) const {
@@ -65,10 +59,29 @@ class TiledSums {
   struct Tile {
     std::size_t i, j;
   };
+
+  void set_column(std::size_t c, const double* values, double bound) {
+    pointers_[c] = values;
+    bounds_[c] = bound;
+  }
+
+  void add(std::size_t rows) {
+    const double unit = Anchor(rows);
+    double* sums = sums_.data();
+    for (const Tile& tile : tiles_) {
+      double anchors[kTile];
+      for (std::size_t k = 0; k < kTile; ++k) {
+        anchors[k] = unit * bounds_[tile.i + k / kTileColumns] * bounds_[tile.j + k % kTileColumns];
+      }
+      AddTile(&pointers_[tile.i], &pointers_[tile.j], rows, anchors, sums);
+      sums += 2 * kTile * kLanes;
+    }
+  }
+
   std::size_t columns_;
   AlignedColumn zeros_;
   std::vector<const double*> pointers_;
-  std::vector<double> bounds_;
+  std::vector<double> bounds_;  // powers of two above the columns' largest magnitudes
   std::vector<Tile> tiles_;
   AlignedColumn sums_;
 };
@@ -85,23 +98,39 @@ std::size_t FillPadded(const RegressionRows& rows, std::size_t first, std::size_
   return count;
 }
 
-std::size_t Padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
+// Multiplies the rows of a block by the square roots of weights.
+void WeighBlock(const double* weights, std::size_t count, RowBlock& block) {
+  HWY_ALIGN double factors[RowBlock::kRows] = {};
+  std::copy_n(weights, count, factors);
+  for (std::size_t r = 0; r < count; r += kLanes) {
+    hn::Store(hn::Sqrt(hn::Load(kD, factors + r)), kD, factors + r);
+  }
+  for (std::size_t c = 0; c < block.columns(); ++c) {
+    double* const column = block.column(c);
+    for (std::size_t r = 0; r < count; r += kLanes) {
+      hn::StoreU(hn::Mul(hn::LoadU(kD, column + r), hn::Load(kD, factors + r)), kD, column + r);
+    }
+  }
+}
 
-void AddProducts(const RegressionRows& rows, std::size_t first, std::size_t last, GramMatrix& gram) {
+// Without weights there are no weighted sums.
+void AddProducts(const RegressionRows& rows, const double* weights, std::size_t first, std::size_t last,
+                 GramMatrix& gram, GramMatrix* weighted) {
   const std::size_t columns = rows.regressors() + 1;
   RowBlock block(columns);
-  TiledSums sums(columns);
+  TiledSums sums(columns), weighted_sums(weights != nullptr ? columns : 0);
   for (std::size_t row = first; row < last; row += RowBlock::kRows) {
     const std::size_t count = FillPadded(rows, row, last, block);
-    for (std::size_t c = 0; c < columns; ++c) {
-      const Range range = RangeOf(block.column(c), count);
-      gram.widen_range(c, range.least, range.greatest);
-      sums.set_column(c, block.column(c), PowerAbove(std::max(-range.least, range.greatest)));
-    }
-    sums.add(Padded(count));
+    sums.add(block, count, gram);
+    if (weights == nullptr) continue;
+    WeighBlock(weights + row, count, block);
+    weighted_sums.add(block, count, *weighted);
   }
   sums.add_to(gram);
   gram.add_rows(last - first);
+  if (weights == nullptr) return;
+  weighted_sums.add_to(*weighted);
+  weighted->add_rows(last - first);
 }
 
 // Calls make(block, row) for each vector of rows and stores what it returns.
@@ -143,7 +172,12 @@ HWY_EXPORT(Residuals);
 HWY_EXPORT(SquaredLengths);
 
 void add_products(const RegressionRows& rows, std::size_t first, std::size_t last, GramMatrix& sums) {
-  HWY_DYNAMIC_DISPATCH(AddProducts)(rows, first, last, sums);
+  HWY_DYNAMIC_DISPATCH(AddProducts)(rows, nullptr, first, last, sums, nullptr);
+}
+
+void add_products(const RegressionRows& rows, std::span<const double> weights, std::size_t first,
+                  std::size_t last, GramMatrix& sums, GramMatrix& weighted) {
+  HWY_DYNAMIC_DISPATCH(AddProducts)(rows, weights.data(), first, last, sums, &weighted);
 }
 
 void compute_residuals(const RegressionRows& rows, std::span<const double> coefficients, std::size_t first,

@@ -23,6 +23,9 @@ namespace proofmass {
 
 // Adds rows first … last - 1 to the sums.
 void add_products(const RegressionRows& rows, std::size_t first, std::size_t last, GramMatrix& sums);
+// And the rows times the square roots of weights, one for each row of all, to others.
+void add_products(const RegressionRows& rows, std::span<const double> weights, std::size_t first,
+                  std::size_t last, GramMatrix& sums, GramMatrix& weighted);
 
 // response - row * coefficients, in twice the working precision, rounded once. The coefficients are those of
 // the scaled regressors. Writes last - first values.

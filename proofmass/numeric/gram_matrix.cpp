@@ -8,6 +8,15 @@
 #include "proofmass/numeric/row_shares.hpp"
 
 namespace proofmass {
+namespace {
+
+GramMatrix sum_of(const std::vector<GramMatrix>& parts) {
+  GramMatrix sum(parts.front().scales());
+  for (const GramMatrix& part : parts) sum.add(part);
+  return sum;
+}
+
+}  // namespace
 
 GramMatrix::GramMatrix(std::span<const double> scales)
     : scales_(scales.begin(), scales.end()),
@@ -52,9 +61,17 @@ GramMatrix gram_matrix(const RegressionRows& rows) {
   for_each_row_share(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
     add_products(rows, first, last, parts[share]);
   });
-  GramMatrix sum(rows.scales());
-  for (const GramMatrix& part : parts) sum.add(part);
-  return sum;
+  return sum_of(parts);
+}
+
+GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> weights) {
+  const std::size_t shares = row_shares(rows.rows());
+  std::vector<GramMatrix> plain(shares, GramMatrix(rows.scales()));
+  std::vector<GramMatrix> weighted = plain;
+  for_each_row_share(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
+    add_products(rows, weights, first, last, plain[share], weighted[share]);
+  });
+  return {sum_of(plain), sum_of(weighted)};
 }
 
 }  // namespace proofmass

@@ -60,4 +60,12 @@ class GramMatrix {
 // added in order, so that the result does not depend on the number of threads.
 [[nodiscard]] GramMatrix gram_matrix(const RegressionRows& rows);
 
+struct GramMatrices {
+  GramMatrix plain;
+  GramMatrix weighted;  // that of WeightedRows
+};
+
+// Of the rows as they are and by weights, one a row, not negative, in one pass.
+[[nodiscard]] GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> weights);
+
 }  // namespace proofmass

@@ -2,6 +2,7 @@
 #include "proofmass/numeric/regression_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -28,19 +29,19 @@ void MatrixRows::fill(std::size_t first, std::size_t count, RowBlock& block) con
 }
 
 WeightedRows::WeightedRows(const RegressionRows& rows, std::vector<double> weights)
-    : rows_(rows), factors_(std::move(weights)) {
-  if (factors_.size() != rows.rows()) throw std::invalid_argument("weighted rows need one weight each");
-  for (double& weight : factors_) {
+    : rows_(rows), weights_(std::move(weights)) {
+  if (weights_.size() != rows.rows()) throw std::invalid_argument("weighted rows need one weight each");
+  for (const double weight : weights_) {
     if (!(weight >= 0.0) || !std::isfinite(weight)) {
       throw std::invalid_argument("a weight must be finite and not negative");
     }
-    weight = std::sqrt(weight);
   }
 }
 
 void WeightedRows::fill(std::size_t first, std::size_t count, RowBlock& block) const {
   rows_.fill(first, count, block);
-  const double* const factors = factors_.data() + first;
+  std::array<double, RowBlock::kRows> factors;
+  for (std::size_t r = 0; r < count; ++r) factors[r] = std::sqrt(weights_[first + r]);
   for (std::size_t c = 0; c < block.columns(); ++c) {
     double* const column = block.column(c);
     for (std::size_t r = 0; r < count; ++r) column[r] *= factors[r];

@@ -10,10 +10,11 @@
 
 namespace proofmass {
 
-// A few rows as columns, one after the other in memory that stays in the first level of cache.
+// A few rows as columns, one after the other: those that are multiplied stay in the first level of cache, all
+// of them in the second.
 class RowBlock {
  public:
-  static constexpr std::size_t kRows = 128;
+  static constexpr std::size_t kRows = 256;
 
   explicit RowBlock(std::size_t columns) : columns_(columns), data_(columns * kStride, 0.0) {}
 
@@ -76,7 +77,7 @@ class WeightedRows final : public RegressionRows {
 
  private:
   const RegressionRows& rows_;
-  std::vector<double> factors_;
+  std::vector<double> weights_;
 };
 
 }  // namespace proofmass
