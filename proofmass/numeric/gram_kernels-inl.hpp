@@ -81,10 +81,13 @@ HWY_INLINE double Anchor(std::size_t rows) {
   return 1.5 * 2.0 * static_cast<double>(std::bit_ceil(rows / kLanes));
 }
 
-// Adds the sums over `rows` rows of one block, padded with zeros to a multiple of kLanes, to `sums`: kTile
-// vectors of high parts, then as many of low parts. `anchors`: kTile constants.
-HWY_INLINE void AddTile(const double* const* left, const double* const* right, std::size_t rows,
-                        const double* anchors, double* sums) {
+// The rows of a lane whose sum starts at one constant: more would cost digits.
+constexpr std::size_t kMostOfLane = 128;
+
+// Adds the sums over rows first … last - 1 of one block, padded with zeros to a multiple of kLanes, to
+// `sums`: kTile vectors of high parts, then as many of low parts. `anchors`: kTile constants.
+HWY_INLINE void AddTile(const double* const* left, const double* const* right, std::size_t first,
+                        std::size_t last, const double* anchors, double* sums) {
   V high[kTile];
   V low[kTile];
 #pragma GCC unroll 8
@@ -92,7 +95,7 @@ HWY_INLINE void AddTile(const double* const* left, const double* const* right, s
     high[k] = hn::Set(kD, anchors[k]);
     low[k] = hn::Zero(kD);
   }
-  for (std::size_t row = 0; row < rows; row += kLanes) {
+  for (std::size_t row = first; row < last; row += kLanes) {
     Factor b[kTileColumns];
 #pragma GCC unroll 4
     for (std::size_t j = 0; j < kTileColumns; ++j) b[j] = MakeFactor(hn::LoadU(kD, right[j] + row));

@@ -35,7 +35,9 @@ class TiledSums {
       gram.widen_range(c, range.least, range.greatest);
       set_column(c, block.column(c), PowerAbove(std::max(-range.least, range.greatest)));
     }
-    add(Padded(count));
+    for (std::size_t first = 0; first < Padded(count); first += kMostOfLane * kLanes) {
+      add(first, std::min(first + kMostOfLane * kLanes, Padded(count)));
+    }
   }
 
   void add_to(GramMatrix& gram) const {
@@ -65,15 +67,15 @@ class TiledSums {
     bounds_[c] = bound;
   }
 
-  void add(std::size_t rows) {
-    const double unit = Anchor(rows);
+  void add(std::size_t first, std::size_t last) {
+    const double unit = Anchor(last - first);
     double* sums = sums_.data();
     for (const Tile& tile : tiles_) {
       double anchors[kTile];
       for (std::size_t k = 0; k < kTile; ++k) {
         anchors[k] = unit * bounds_[tile.i + k / kTileColumns] * bounds_[tile.j + k % kTileColumns];
       }
-      AddTile(&pointers_[tile.i], &pointers_[tile.j], rows, anchors, sums);
+      AddTile(&pointers_[tile.i], &pointers_[tile.j], first, last, anchors, sums);
       sums += 2 * kTile * kLanes;
     }
   }
