@@ -91,17 +91,17 @@ class Descent {
  public:
   Descent(const PerceptronShape& shape, const Samples& training, const Samples* validation,
           const NetworkOptions& options, TrainingState& state, const std::function<bool()>& keep_going)
-      : separable_(options.trainer == Trainer::varpro),
-        training_(training),
-        hidden_(shape, training),
-        all_(shape, training),
-        state_(state),
-        keep_going_(keep_going) {
+      : training_(training), state_(state), keep_going_(keep_going) {
+    if (options.trainer == Trainer::varpro) {
+      hidden_.emplace(shape, training);
+    } else {
+      all_.emplace(shape, training);
+    }
     if (validation != nullptr) early_.emplace(shape, *validation, options.validation_failures, state);
   }
 
   LevenbergMarquardtResult run(const LevenbergMarquardtOptions& settings) {
-    SumOfSquares& problem = separable_ ? static_cast<SumOfSquares&>(hidden_) : all_;
+    SumOfSquares& problem = hidden_ ? static_cast<SumOfSquares&>(*hidden_) : *all_;
     const std::span<const double> from(state_.point.data(), problem.parameters());
     return minimise(problem, from, settings,
                     [this](std::size_t, std::span<const double> point, double sum_of_squares) {
@@ -116,17 +116,18 @@ class Descent {
     state_.training_curve.push_back(std::min(rmse, state_.training_curve.back()));
     if (early_) {
       std::vector<double> weights(point.begin(), point.end());
-      const auto& output = hidden_.output_weights();
-      if (separable_) weights.insert(weights.end(), output.begin(), output.end());
+      if (hidden_) {
+        const std::vector<double>& output = hidden_->output_weights();
+        weights.insert(weights.end(), output.begin(), output.end());
+      }
       stopped_early_ = !early_->improve(std::move(weights), rmse);
     }
     return !stopped_early_ && keep_going_();
   }
 
-  bool separable_;
   const Samples& training_;
-  SeparablePerceptron hidden_;
-  PerceptronProblem all_;
+  std::optional<SeparablePerceptron> hidden_;  // by variable projection
+  std::optional<PerceptronProblem> all_;       // by all weights
   TrainingState& state_;
   const std::function<bool()>& keep_going_;
   std::optional<EarlyStopping> early_;
