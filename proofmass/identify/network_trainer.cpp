@@ -6,21 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <span>
 #include <utility>
 
+#include "proofmass/identify/network_descent_internal.hpp"
 #include "proofmass/numeric/levenberg_marquardt.hpp"
 #include "proofmass/numeric/perceptron_kernels.hpp"
-#include "proofmass/numeric/perceptron_problem.hpp"
 #include "proofmass/numeric/variable_projection.hpp"
 
 namespace proofmass {
 namespace {
-
-double root_mean(double sum_of_squares, const Samples& samples) {
-  return std::sqrt(sum_of_squares / static_cast<double>(samples.rows()));
-}
 
 LevenbergMarquardtOptions textbook(const NetworkOptions& options) {
   return {.damping = Damping::multiplicative,
@@ -59,80 +53,10 @@ constexpr double kKick = 0.03;
 // A kick has helped when training comes to rest at less than this share of the least sum of squares before.
 constexpr double kGain = 0.8;
 
-// Stops training when the validation error has not improved for some epochs, and remembers the best weights.
-class EarlyStopping {
- public:
-  EarlyStopping(const PerceptronShape& shape, const Samples& validation, std::size_t patience,
-                TrainingState& state)
-      : shape_(shape), validation_(validation), patience_(patience), state_(state) {}
-
-  bool improve(std::vector<double> weights, double training_rmse) {
-    const double rmse = root_mean(perceptron_sse(shape_, weights, validation_), validation_);
-    state_.validation_curve.push_back(rmse);
-    if (rmse < state_.validation_rmse) {
-      state_.validation_rmse = rmse;
-      state_.training_rmse = training_rmse;
-      state_.weights = std::move(weights);
-      state_.failures = 0;
-      return true;
-    }
-    return ++state_.failures < patience_;
-  }
-
- private:
-  const PerceptronShape& shape_;
-  const Samples& validation_;
-  std::size_t patience_;
-  TrainingState& state_;
-};
-
-// Minimisations of one state one after the other, each epoch of them on record.
-class Descent {
- public:
-  Descent(const PerceptronShape& shape, const Samples& training, const Samples* validation,
-          const NetworkOptions& options, TrainingState& state, const std::function<bool()>& keep_going)
-      : training_(training), state_(state), keep_going_(keep_going) {
-    if (options.trainer == Trainer::varpro) {
-      hidden_.emplace(shape, training);
-    } else {
-      all_.emplace(shape, training);
-    }
-    if (validation != nullptr) early_.emplace(shape, *validation, options.validation_failures, state);
-  }
-
-  LevenbergMarquardtResult run(const LevenbergMarquardtOptions& settings) {
-    SumOfSquares& problem = hidden_ ? static_cast<SumOfSquares&>(*hidden_) : *all_;
-    const std::span<const double> from(state_.point.data(), problem.parameters());
-    return minimise(problem, from, settings,
-                    [this](std::size_t, std::span<const double> point, double sum_of_squares) {
-                      return observe(point, root_mean(sum_of_squares, training_));
-                    });
-  }
-
-  [[nodiscard]] bool stopped_early() const noexcept { return stopped_early_; }
-
- private:
-  bool observe(std::span<const double> point, double rmse) {
-    state_.training_curve.push_back(std::min(rmse, state_.training_curve.back()));
-    if (early_) {
-      std::vector<double> weights(point.begin(), point.end());
-      if (hidden_) {
-        const std::vector<double>& output = hidden_->output_weights();
-        weights.insert(weights.end(), output.begin(), output.end());
-      }
-      stopped_early_ = !early_->improve(std::move(weights), rmse);
-    }
-    return !stopped_early_ && keep_going_();
-  }
-
-  const Samples& training_;
-  std::optional<SeparablePerceptron> hidden_;  // by variable projection
-  std::optional<PerceptronProblem> all_;       // by all weights
-  TrainingState& state_;
-  const std::function<bool()>& keep_going_;
-  std::optional<EarlyStopping> early_;
-  bool stopped_early_ = false;
-};
+void mention_kicks(TrainingState& state) {
+  if (state.kicks == 0 || state.termination.cause == Cause::stopped) return;
+  state.termination.reason += fmt::format(", kicks ({}) having ceased to help", state.kicks);
+}
 
 }  // namespace
 
@@ -197,7 +121,7 @@ void NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& stat
 void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
                            const std::function<bool()>& keep_going) const {
   if (state.finished) return;
-  Descent descent(shape_, training_, validation_, options_, state, keep_going);
+  NetworkDescent descent(shape_, training_, validation_, options_, state, keep_going);
   for (std::size_t left = epochs; left > 0 && !state.finished;) {
     LevenbergMarquardtOptions settings = this->settings(state);
     settings.iterations = left;
@@ -213,8 +137,8 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
   } else if (descent.stopped_early()) {
     state.termination.reason =
         fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
-  } else if (state.kicks > 0 && state.termination.cause != Cause::stopped) {
-    state.termination.reason += fmt::format(", kicks ({}) having ceased to help", state.kicks);
+  } else {
+    mention_kicks(state);
   }
 }
 
@@ -222,14 +146,12 @@ void NetworkTrainer::polish(TrainingState& state, std::size_t epochs,
                             const std::function<bool()>& keep_going) const {
   const bool rests = state.finished && state.termination.cause == Cause::stalled;
   if (options_.trainer != Trainer::varpro || validation_ != nullptr || !rests || epochs == 0) return;
-  Descent descent(shape_, training_, validation_, options_, state, keep_going);
+  NetworkDescent descent(shape_, training_, validation_, options_, state, keep_going);
   LevenbergMarquardtOptions settings = until_minimum(projected());
   settings.iterations = epochs;
   state.point = state.weights;
   take(descent.run(settings), state);
-  if (state.kicks > 0 && state.termination.cause != Cause::stopped) {
-    state.termination.reason += fmt::format(", kicks ({}) having ceased to help", state.kicks);
-  }
+  mention_kicks(state);
 }
 
 double NetworkTrainer::merit(const TrainingState& state) const noexcept {
