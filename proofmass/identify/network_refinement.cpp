@@ -102,19 +102,16 @@ Refinement refine(const NetworkTrainer& trainer, std::vector<TrainingState> cand
     const std::span<TrainingState> batch(candidates.data() + first,
                                          std::min(kBatch, candidates.size() - first));
     race(trainer, batch, plan.epochs, counter, progress);
+    TrainingState& winner = batch.front();
+    trainer.polish(winner, plan.epochs - std::min(plan.epochs, winner.epochs),
+                   [&progress] { return !progress.cancelled(); });
+    if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
     refinement.candidates += batch.size();
-    if (first == 0 || trainer.merit(batch.front()) < trainer.merit(refinement.best)) {
-      refinement.best = batch.front();
-    }
+    if (first == 0 || trainer.merit(winner) < trainer.merit(refinement.best)) refinement.best = winner;
     if (refinement.best.training_rmse <= plan.good_enough) break;
   }
-  for (const TrainingState& candidate : candidates) refinement.epochs += candidate.epochs;
-  const std::size_t before = refinement.best.epochs;
-  trainer.polish(refinement.best, plan.epochs - std::min(plan.epochs, before),
-                 [&progress] { return !progress.cancelled(); });
-  if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
-  refinement.epochs += refinement.best.epochs - before;
   progress.update(plan.stage, total, total);
+  for (const TrainingState& candidate : candidates) refinement.epochs += candidate.epochs;
   return refinement;
 }
 

@@ -27,7 +27,7 @@ struct Refinement {
 // Trains the candidates, the most promising first, in batches until one is good enough. Within a batch all
 // are trained a little, the better half of them twice as long, and so on; the last two are given up to
 // `epochs` epochs each: a wrong start costs little, and a right one is not lost to a slow beginning. What is
-// left of its epochs polishes the best.
+// left of its epochs polishes the best of a batch.
 // Candidates run in parallel. Throws an Error of kind interrupted when the progress is cancelled.
 [[nodiscard]] Refinement refine(const NetworkTrainer& trainer, std::vector<TrainingState> candidates,
                                 const RefinementPlan& plan, Progress& progress);
