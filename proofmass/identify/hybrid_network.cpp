@@ -10,6 +10,7 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/network_data.hpp"
 #include "proofmass/identify/network_starts.hpp"
+#include "proofmass/identify/separable_pool_internal.hpp"
 #include "proofmass/numeric/levenberg_marquardt.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/numeric/particle_swarm.hpp"
@@ -55,10 +56,9 @@ SwarmResult seek(const HybridProblem& problem, const IdentifyOptions& options, c
   }
   SwarmSettings settings;
   settings.iterations = options.hybrid.iterations;
-  const auto objective = [&problem, &progress](std::span<const double> x) {
-    if (progress.cancelled()) return std::numeric_limits<double>::infinity();
-    SeparablePerceptron separable(problem.shape, problem.samples, problem.fixed);
-    return std::sqrt(separable.estimate(x) / static_cast<double>(problem.samples.rows()));
+  const SeparablePool pool(problem.shape, problem.samples, problem.fixed);
+  const auto objective = [&pool, &progress](std::span<const double> x) {
+    return progress.cancelled() ? std::numeric_limits<double>::infinity() : pool.rmse(x);
   };
   return minimise_by_swarm(objective, std::move(initial), settings, options.seed,
                            [&progress](std::size_t, double) { return !progress.cancelled(); });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "proofmass/core/error.hpp"
@@ -21,15 +22,31 @@ namespace {
 constexpr std::size_t kFolds = 5;
 
 struct Fold {
-  std::vector<double> with, without;  // errors at the rows left out
+  std::vector<std::size_t> rows;      // left out; none where the others do not identify every term
+  std::vector<double> with, without;  // errors there
   std::size_t epochs = 0;
   std::size_t evaluations = 0;
 };
 
-Fold leave_out(const Dataset& training, std::size_t fold, const TermList& terms, std::size_t hidden,
-               const IdentifyOptions& options, Progress& progress) {
+// For each row the number of its set-up, counted from the first: rows of the same accelerations share one,
+// for a network would know the errors of a row left out from its copy.
+std::vector<std::size_t> number_set_ups(const Dataset& training) {
+  std::map<std::array<double, 3>, std::size_t> numbers;
+  std::vector<std::size_t> set_ups;
+  for (std::size_t r = 0; r < training.rows(); ++r) {
+    const Acceleration a = training.at(r);
+    set_ups.push_back(numbers.try_emplace({a.i, a.o, a.p}, numbers.size()).first->second);
+  }
+  return set_ups;
+}
+
+Fold leave_out(const Dataset& training, const std::vector<std::size_t>& set_ups, std::size_t fold,
+               const TermList& terms, std::size_t hidden, const IdentifyOptions& options,
+               Progress& progress) {
   std::vector<std::size_t> kept, left;
-  for (std::size_t r = 0; r < training.rows(); ++r) (r % kFolds == fold ? left : kept).push_back(r);
+  for (std::size_t r = 0; r < training.rows(); ++r) {
+    (set_ups[r] % kFolds == fold ? left : kept).push_back(r);
+  }
   const Dataset rows = training.select(kept);
   const Dataset out = training.select(left);
   Fold errors;
@@ -37,6 +54,7 @@ Fold leave_out(const Dataset& training, std::size_t fold, const TermList& terms,
   const StaticModel model{terms, solve_least_squares(design_matrix(rows, terms), rows.output).coefficients};
   const HybridFit fit = fit_hybrid(rows, terms, hidden, options, progress);
   const std::vector<double> predicted = network_outputs(fit.network, out);
+  errors.rows = left;
   errors.epochs = fit.epochs;
   errors.evaluations = fit.evaluations;
   for (std::size_t r = 0; r < out.rows(); ++r) {
@@ -50,26 +68,29 @@ Fold leave_out(const Dataset& training, std::size_t fold, const TermList& terms,
 
 HybridValidation validate_hybrid(const Dataset& training, const TermList& terms, std::size_t hidden,
                                  const IdentifyOptions& options, Progress& progress) {
+  const std::vector<std::size_t> set_ups = number_set_ups(training);
   std::array<Fold, kFolds> folds;
   StepProgress steps(progress, "cross-validation", kFolds);
   parallel_for(kFolds, [&](std::size_t k) {
-    folds[k] = leave_out(training, k, terms, hidden, options, steps);
+    folds[k] = leave_out(training, set_ups, k, terms, hidden, options, steps);
     steps.step();
   });
   HybridValidation result;
   double with = 0.0;
   double without = 0.0;
-  double squares = 0.0;
+  std::vector<double> gains(training.rows(), 0.0);      // of each set-up
+  std::vector<std::size_t> counts(training.rows(), 0);  // of its rows
   for (const Fold& fold : folds) {
     result.epochs += fold.epochs;
     result.evaluations += fold.evaluations;
-    result.rows += fold.with.size();
-    for (std::size_t r = 0; r < fold.with.size(); ++r) {
+    result.rows += fold.rows.size();
+    for (std::size_t r = 0; r < fold.rows.size(); ++r) {
       const double a = fold.with[r] * fold.with[r];
       const double b = fold.without[r] * fold.without[r];
       with += a;
       without += b;
-      squares += (b - a) * (b - a);
+      gains[set_ups[fold.rows[r]]] += b - a;
+      ++counts[set_ups[fold.rows[r]]];
     }
   }
   if (result.rows == 0) return result;
@@ -77,7 +98,13 @@ HybridValidation validate_hybrid(const Dataset& training, const TermList& terms,
   result.rmse_with = std::sqrt(with / n);
   result.rmse_without = std::sqrt(without / n);
   result.gain = (without - with) / n;
-  result.standard_error = std::sqrt(std::max(0.0, squares / n - result.gain * result.gain) / n);
+  // The rows of a set-up share their gain, so that set-ups and not rows are independent.
+  double squares = 0.0;
+  for (std::size_t s = 0; s < gains.size(); ++s) {
+    const double deviation = gains[s] - static_cast<double>(counts[s]) * result.gain;
+    squares += deviation * deviation;
+  }
+  result.standard_error = std::sqrt(squares) / n;
   return result;
 }
 

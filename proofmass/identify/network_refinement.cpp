@@ -104,7 +104,7 @@ Refinement refine(const NetworkTrainer& trainer, std::vector<TrainingState> cand
     race(trainer, batch, plan.epochs, counter, progress);
     TrainingState& winner = batch.front();
     trainer.polish(winner, plan.epochs - std::min(plan.epochs, winner.epochs),
-                   [&progress] { return !progress.cancelled(); });
+                   [&counter] { return counter.count(); });
     if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
     refinement.candidates += batch.size();
     if (first == 0 || trainer.merit(winner) < trainer.merit(refinement.best)) refinement.best = winner;

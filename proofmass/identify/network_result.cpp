@@ -193,7 +193,7 @@ Identification make_network_identification(std::string_view method, const Networ
     for (double& value : curve.values) value *= scale / task.training.output_unit.to_canonical;
   }
   result.ending = {ending_status(best.termination.cause),
-                   fmt::format("{} after {} epochs of the best of {} candidates", best.termination.reason,
+                   fmt::format("{} ({} epochs of the best of {} candidates)", best.termination.reason,
                                best.epochs, refinement.candidates)};
   return result;
 }

@@ -55,7 +55,8 @@ constexpr double kGain = 0.8;
 
 void mention_kicks(TrainingState& state) {
   if (state.kicks == 0 || state.termination.cause == Cause::stopped) return;
-  state.termination.reason += fmt::format(", kicks ({}) having ceased to help", state.kicks);
+  state.termination.reason +=
+      fmt::format("; kicks: {}, the last {} without gain", state.kicks, state.idle_kicks);
 }
 
 }  // namespace

@@ -142,6 +142,48 @@ INSTANTIATE_TEST_SUITE_P(Both, EachTrainer, testing::Values(Trainer::varpro, Tra
                          });
 
 // With and without validation rows: a pause costs no patience and does not lose the place.
+TEST(VariableProjection, IsPolishedFromWhereItRests) {
+  const Overfitting data;
+  NetworkOptions options;
+  const NetworkTrainer trainer(kShape, data.samples, nullptr, options);
+  TrainingState state = trainer.start(random_start(kShape, Trainer::varpro, 1, 0));
+  trainer.train(state, 5, test::always);
+  const TrainingState unfinished = state;
+  trainer.polish(state, 100, test::always);
+  EXPECT_EQ(state.epochs, unfinished.epochs);  // it does not rest yet
+
+  trainer.train(state, 3000, test::always);
+  ASSERT_TRUE(state.finished);
+  const TrainingState rested = state;
+  trainer.polish(state, 0, test::always);
+  EXPECT_EQ(state.epochs, rested.epochs);
+  trainer.polish(state, 7, test::always);
+  EXPECT_EQ(state.epochs, rested.epochs + 7);
+  EXPECT_EQ(state.termination.cause, Cause::iteration_limit);
+  EXPECT_LT(state.training_rmse, rested.training_rmse);
+  EXPECT_EQ(state.training_curve.back(), state.training_rmse);
+  EXPECT_NEAR(state.training_rmse, rmse(state.weights, data.samples), 1e-9 * state.training_rmse);
+
+  state = rested;
+  trainer.polish(state, 3000, test::always);
+  EXPECT_EQ(state.termination.cause, Cause::stalled);
+  EXPECT_THAT(state.termination.reason, HasSubstr("the last 2 without gain"));
+  state = rested;
+  trainer.polish(state, 3000, [] { return false; });
+  EXPECT_EQ(state.epochs, rested.epochs + 1);
+  EXPECT_EQ(state.termination.cause, Cause::stopped);
+}
+
+TEST(TextbookTrainer, IsNotPolished) {
+  const Overfitting data;
+  const NetworkOptions options = options_for(Trainer::lm);
+  const NetworkTrainer trainer(kShape, data.samples, nullptr, options);
+  TrainingState state = trainer.start(random_start(kShape, Trainer::lm, 1, 0));
+  trainer.train(state, 20, test::always);
+  trainer.polish(state, 100, test::always);
+  EXPECT_EQ(state.epochs, 20U);
+}
+
 TEST(TextbookTrainer, GoesOnWhereItPaused) {
   const Overfitting data;
   const NetworkOptions options = options_for(Trainer::lm);

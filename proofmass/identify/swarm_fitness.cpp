@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "proofmass/identify/network_trainer.hpp"
+#include "proofmass/identify/separable_pool_internal.hpp"
 #include "proofmass/numeric/perceptron_kernels.hpp"
 
 namespace proofmass {
@@ -16,30 +17,17 @@ SwarmFitnessFunction::SwarmFitnessFunction(const PerceptronShape& shape, const S
       network_(options.network),
       fitness_(options.swarm.fitness),
       fitness_epochs_(options.swarm.fitness_epochs),
-      progress_(progress) {
+      progress_(progress),
+      separable_(std::make_unique<const SeparablePool>(shape_, samples)) {
   network_.trainer = Trainer::lm;
 }
 
+SwarmFitnessFunction::~SwarmFitnessFunction() = default;
+
 double SwarmFitnessFunction::operator()(std::span<const double> position) const {
-  if (fitness_ == SwarmFitness::separable) return separable(position);
+  if (fitness_ == SwarmFitness::separable) return separable_->rmse(position);
   if (fitness_ == SwarmFitness::trained) return trained(position);
   return std::sqrt(perceptron_sse(shape_, position, samples_) / static_cast<double>(samples_.rows()));
-}
-
-double SwarmFitnessFunction::separable(std::span<const double> position) const {
-  std::unique_ptr<SeparablePerceptron> problem;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!idle_.empty()) {
-      problem = std::move(idle_.back());
-      idle_.pop_back();
-    }
-  }
-  if (!problem) problem = std::make_unique<SeparablePerceptron>(shape_, samples_);
-  const double value = std::sqrt(problem->estimate(position) / static_cast<double>(samples_.rows()));
-  const std::lock_guard lock(mutex_);
-  idle_.push_back(std::move(problem));
-  return value;
 }
 
 double SwarmFitnessFunction::trained(std::span<const double> position) const {

@@ -4,17 +4,16 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <span>
-#include <vector>
 
 #include "proofmass/core/progress.hpp"
 #include "proofmass/identify/options.hpp"
 #include "proofmass/numeric/perceptron.hpp"
 #include "proofmass/numeric/samples.hpp"
-#include "proofmass/numeric/variable_projection.hpp"
 
 namespace proofmass {
+
+class SeparablePool;
 
 // The root mean square error of the network that a particle stands for, over the training samples, scaled
 // output:
@@ -26,12 +25,12 @@ class SwarmFitnessFunction {
  public:
   SwarmFitnessFunction(const PerceptronShape& shape, const Samples& samples, const IdentifyOptions& options,
                        const Progress& progress);
+  ~SwarmFitnessFunction();
   [[nodiscard]] double operator()(std::span<const double> position) const;
   // Training epochs spent so far.
   [[nodiscard]] std::size_t epochs() const noexcept { return epochs_; }
 
  private:
-  [[nodiscard]] double separable(std::span<const double> position) const;
   [[nodiscard]] double trained(std::span<const double> position) const;
 
   PerceptronShape shape_;
@@ -41,10 +40,7 @@ class SwarmFitnessFunction {
   std::size_t fitness_epochs_;
   const Progress& progress_;
   mutable std::atomic<std::size_t> epochs_{0};
-  // Working storage, lent to one evaluation at a time. Each stays at its initial state, so that a value
-  // cannot depend on which one computed it.
-  mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<SeparablePerceptron>> idle_;
+  std::unique_ptr<const SeparablePool> separable_;
 };
 
 }  // namespace proofmass

@@ -36,16 +36,36 @@ Error weighted_refusal(const Dataset& data, const Identifiability& left, std::si
                  "rows that lost their weight");
 }
 
+// An exact fit to as many rows as terms says nothing of its errors.
+void require_spare_row(const Dataset& data, const Identifiability& left, std::size_t rows) {
+  if (rows > left.identified.size()) return;
+  throw refusal(
+      fmt::format("{}: {} of {} rows have weight beside the others, too few for {} terms; at least one more "
+                  "than the terms "
+                  "is needed: ask for fewer terms (--terms), or look at the rows that lost their weight",
+                  data.source, rows, data.rows(), left.identified.size()));
+}
+
 }  // namespace
+
+std::size_t count_rows_with_weight(std::span<const double> weights) {
+  const double least = no_weight(weights);
+  return static_cast<std::size_t>(
+      std::count_if(weights.begin(), weights.end(), [least](double weight) { return weight > least; }));
+}
 
 Identifiability require_identifiable_by_weight(const Dataset& data, const Identifiability& found,
                                                std::span<const double> weights, RankLossPolicy policy) {
   if (*std::min_element(weights.begin(), weights.end()) > no_weight(weights)) return found;
   const std::vector<std::size_t> rows = rows_with_weight(weights);
   Identifiability left = analyse_identifiability(data.select(rows), found.identified);
-  if (left.lost.empty()) return found;
+  if (left.lost.empty()) {
+    require_spare_row(data, found, rows.size());
+    return found;
+  }
   if (policy == RankLossPolicy::refuse || left.identified.empty())
     throw weighted_refusal(data, left, rows.size());
+  require_spare_row(data, left, rows.size());
   for (auto& lost : left.lost) {
     lost.reason += fmt::format(" (among the {} of {} rows that have weight)", rows.size(), data.rows());
   }

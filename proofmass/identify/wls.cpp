@@ -29,6 +29,7 @@ struct Weighted {
   Matrix unscaled_covariance;
   double rss = 0.0;  // all rows alike
   double variance = 0.0;
+  std::size_t rows = 0;  // with weight
   Ending ending;
   std::vector<std::string> notes;
   std::optional<std::size_t> iterations;  // of the variance model
@@ -81,23 +82,32 @@ Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<d
   const Dataset& training = sums.data();
   // The variance that weight 1 stands for.
   const double unit_variance = training.output_sigma.front() * training.output_sigma.front();
+  const std::size_t counted = count_rows_with_weight(weights);
   const TermRows rows = sums.rows(terms);
   const WeightedRows weighted(rows, std::move(weights));
   NormalSolution solution = solve_normal_equations(sums.weighted_gram(terms), weighted);
-  const auto dof = static_cast<double>(training.rows() - terms.size());
+  const auto dof = static_cast<double>(counted - terms.size());
   const double ratio = solution.rss / dof / unit_variance;
   Weighted result;
+  result.rows = counted;
   result.rss = residual_sum_of_squares(sums.gram(terms), rows, solution.coefficients);
   result.coefficients = std::move(solution.coefficients);
   result.unscaled_covariance = std::move(solution.unscaled_covariance);
   result.variance = options.scaling == ChiSquareScaling::given ? unit_variance : unit_variance * ratio;
   result.notes.emplace_back("weights are 1 / sigma_E² from the record");
   result.notes.push_back(chi_square_note(ratio, dof, options.scaling));
+  if (counted < training.rows()) {
+    result.notes.push_back(
+        fmt::format("{} of {} rows have no weight beside the others, their sigma_E being so much larger: "
+                    "they tell nothing "
+                    "and do not count as degrees of freedom",
+                    training.rows() - counted, training.rows()));
+  }
   result.ending = {
       .status = EndingStatus::direct,
       .reason = fmt::format("solved directly by normal equations in twice the working precision: {} weighted "
                             "rows, {} coefficients",
-                            training.rows(), terms.size())};
+                            counted, terms.size())};
   return result;
 }
 
@@ -123,6 +133,7 @@ Weighted fit_by_model(const TermSums& sums, const TermList& terms, const WlsOpti
   GrowingVarianceFit fit = fit_growing_variance(sums.rows(terms), squared_magnitudes(training),
                                                 {.iterations = options.iterations});
   Weighted result;
+  result.rows = training.rows();
   const std::string unit = training.output_unit.canonical_symbol();
   result.notes.push_back(fmt::format(
       "weights are from the residuals by restricted maximum likelihood: sigma² = s0² + s1² |A|², s0 = {:.5g} "
@@ -185,6 +196,7 @@ Identification identify_wls(const Dataset& training, const Dataset& /*validation
   Identification result =
       make_identification("wls", training, options, found, static_fit(sums, found.identified, weighted));
   add_residual_figures(result.diagnostics, training, weighted.rss, found.identified.size());
+  result.diagnostics.dof = weighted.rows - found.identified.size();
   auto& notes = result.diagnostics.notes;
   notes.insert(notes.end(), weighted.notes.begin(), weighted.notes.end());
   notes.emplace_back(

@@ -137,5 +137,26 @@ TEST(Wls, RankLossCountsRowsWithWeightOnly) {
   EXPECT_NEAR(result.coefficients[1].value, 0.9, 1e-4);
 }
 
+// Rows whose sigma is 1e9 times that of the others tell nothing, of the errors neither.
+TEST(Wls, DegreesOfFreedomCountRowsWithWeightOnly) {
+  Dataset record = test::make_twin({}, {.terms = {Term::K0, Term::Ki}, .coefficients = {1e-3, 0.9}});
+  const auto with_weight = [&record](std::size_t rows) {
+    record.output_sigma.assign(record.rows(), 1e5);
+    std::fill_n(record.output_sigma.begin(), rows, 1e-4);
+    return fit(record, {}, "linear", RankLossPolicy::drop);
+  };
+  const Identification result = with_weight(20);
+  EXPECT_EQ(result.diagnostics.dof, 16U);
+  EXPECT_THAT(result.diagnostics.notes, Contains(HasSubstr("280 of 300 rows have no weight")));
+  EXPECT_EQ(with_weight(5).diagnostics.dof, 1U);
+  try {
+    (void)with_weight(4);
+    ADD_FAILURE() << "no refusal";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_THAT(error.what(), HasSubstr("4 of 300 rows have weight"));
+  }
+}
+
 }  // namespace
 }  // namespace proofmass

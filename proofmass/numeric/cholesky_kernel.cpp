@@ -37,17 +37,18 @@ HWY_INLINE void Eliminate(double* matrix, std::size_t stride, std::size_t j, std
 // n³ / 6 multiplications, and half a vector more for each pair of columns: the sums of a column stay in
 // registers while those before it pass by. What a vector holds above the diagonal stays in its lane.
 bool Cholesky(double* matrix, std::size_t n, std::size_t stride) {
+  const std::size_t end = (n + kLanes - 1) / kLanes * kLanes;
   for (std::size_t j = 0; j < n; ++j) {
     double* const column = matrix + j * stride;
     const std::size_t top = j / kLanes * kLanes;
     std::size_t first = top;
-    for (; first + 4 * kLanes <= stride; first += 4 * kLanes) Eliminate<4>(matrix, stride, j, first);
-    for (; first + 2 * kLanes <= stride; first += 2 * kLanes) Eliminate<2>(matrix, stride, j, first);
-    if (first < stride) Eliminate<1>(matrix, stride, j, first);
+    for (; first + 4 * kLanes <= end; first += 4 * kLanes) Eliminate<4>(matrix, stride, j, first);
+    for (; first + 2 * kLanes <= end; first += 2 * kLanes) Eliminate<2>(matrix, stride, j, first);
+    if (first < end) Eliminate<1>(matrix, stride, j, first);
     const double pivot = column[j];
     if (!(pivot > 0.0 && std::isfinite(pivot))) return false;
     const V scale = hn::Set(kD, 1.0 / std::sqrt(pivot));
-    for (std::size_t at = top; at < stride; at += kLanes) {
+    for (std::size_t at = top; at < end; at += kLanes) {
       hn::Store(hn::Mul(hn::Load(kD, column + at), scale), kD, column + at);
     }
     column[j] = std::sqrt(pivot);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -60,6 +61,28 @@ TEST_P(CholeskyKernel, RefusesWhatIsNotPositiveDefinite) {
         PaddedSquare matrix = random_gram(n, random);
         matrix.column(spoilt)[spoilt] = value;
         EXPECT_FALSE(cholesky_in_place(matrix)) << n << ", " << spoilt << ", " << value;
+      }
+    }
+  }
+}
+
+TEST_P(CholeskyKernel, RefusesWhatPivotsAloneDoNotShow) {
+  RandomStream random(3);
+  PaddedSquare reused(13);
+  for (std::size_t column = 0; column < 12; ++column) {
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), 1e9}) {
+      PaddedSquare matrix = random_gram(13, random);
+      matrix.column(column)[12] = value;  // more than the diagonal's elements allow
+      EXPECT_FALSE(cholesky_in_place(matrix)) << column << ", " << value;
+      // What is left of a failure does not spoil the next matrix in its place.
+      const PaddedSquare sound = random_gram(13, random);
+      PaddedSquare fresh = sound;
+      reused = matrix;
+      for (std::size_t c = 0; c < 13; ++c) std::copy_n(&sound.values[c * sound.stride], 13, reused.column(c));
+      ASSERT_TRUE(cholesky_in_place(reused));
+      ASSERT_TRUE(cholesky_in_place(fresh));
+      for (std::size_t c = 0; c < 13; ++c) {
+        for (std::size_t r = c; r < 13; ++r) EXPECT_EQ(reused.column(c)[r], fresh.column(c)[r]);
       }
     }
   }

@@ -65,6 +65,7 @@ GramMatrix gram_matrix(const RegressionRows& rows) {
 }
 
 GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> weights) {
+  require_weights(weights, rows.rows());
   const std::size_t shares = row_shares(rows.rows());
   std::vector<GramMatrix> plain(shares, GramMatrix(rows.scales()));
   std::vector<GramMatrix> weighted = plain;

@@ -65,7 +65,8 @@ struct GramMatrices {
   GramMatrix weighted;  // that of WeightedRows
 };
 
-// Of the rows as they are and by weights, one a row, not negative, in one pass.
+// Of the rows as they are and by weights, in one pass. Throws std::invalid_argument unless there is one
+// weight a row, finite and not negative.
 [[nodiscard]] GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> weights);
 
 }  // namespace proofmass

@@ -57,8 +57,8 @@ class GramKernels : public test::OnInstructionSet {};
 
 TEST_P(GramKernels, SumProductsInTwiceTheWorkingPrecision) {
   RandomStream random(3);
-  // Rows about the sizes of vectors, blocks and shares; columns about those of tiles.
-  for (const std::size_t rows : {1U, 7U, 8U, 9U, 127U, 129U, 1000U, 20000U}) {
+  // Rows about the sizes of vectors, lanes' sums, blocks and shares; columns about those of tiles.
+  for (const std::size_t rows : {1U, 7U, 8U, 9U, 127U, 129U, 255U, 257U, 1000U, 8193U, 20000U}) {
     for (const std::size_t columns : {1U, 2U, 5U, 21U}) {
       const Data data = random_data(rows, columns, random);
       const GramMatrix gram = gram_matrix(MatrixRows(data.design, data.y));
@@ -78,6 +78,31 @@ TEST_P(GramKernels, CancellingAndUnequalRowsKeepTheirDigits) {
     data.y[r] = std::ldexp(random.normal(), -300);
   }
   EXPECT_LT(worst_error(data, gram_matrix(MatrixRows(data.design, data.y))), 1e-28);
+}
+
+TEST_P(GramKernels, PlainAndWeightedSumsOfOnePassAreThoseOfTwo) {
+  RandomStream random(8);
+  for (const std::size_t rows : {1U, 7U, 255U, 257U, 20000U}) {
+    const Data data = random_data(rows, 5, random);
+    std::vector<double> weights(rows);
+    for (std::size_t r = 0; r < rows; ++r) weights[r] = r % 5 == 3 ? 0.0 : random.uniform(0.1, 4.0);
+    const MatrixRows plain(data.design, data.y);
+    const GramMatrices sums = gram_matrices(plain, weights);
+    const GramMatrix expected = gram_matrix(plain);
+    const GramMatrix weighted = gram_matrix(WeightedRows(plain, weights));
+    EXPECT_EQ(sums.weighted.rows(), rows);
+    for (std::size_t j = 0; j <= 5; ++j) {
+      EXPECT_EQ(sums.weighted.least(j), weighted.least(j));
+      for (std::size_t i = 0; i <= j; ++i) {
+        EXPECT_EQ(sums.plain(i, j).value(), expected(i, j).value());
+        EXPECT_EQ(sums.weighted(i, j).value(), weighted(i, j).value());
+      }
+    }
+    weights.pop_back();
+    EXPECT_THROW((void)gram_matrices(plain, weights), std::invalid_argument);
+    weights.push_back(-1.0);
+    EXPECT_THROW((void)gram_matrices(plain, weights), std::invalid_argument);
+  }
 }
 
 TEST_P(GramKernels, DenormalAndZeroColumnsAreSummed) {

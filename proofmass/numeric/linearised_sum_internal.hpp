@@ -34,7 +34,7 @@ class LinearisedSum {
   [[nodiscard]] virtual Eigen::VectorXd velocity() const = 0;
   // -(JᵀJ + damping)⁻¹ Jᵀ d²r/dt² along x + t * velocity; nothing when the problem cannot tell.
   [[nodiscard]] virtual std::optional<Eigen::VectorXd> acceleration(const Eigen::VectorXd& velocity) = 0;
-  // By how much the linearised sum of squares falls along the velocity.
+  // By how much the linearised sum of squares falls along the velocity by the last factors.
   [[nodiscard]] virtual double predicted_reduction(const Eigen::VectorXd& velocity) const = 0;
 };
 

@@ -36,7 +36,7 @@ class ColumnBlock {
 void perceptron_outputs(const PerceptronShape& shape, std::span<const double> weights, const Samples& samples,
                         std::span<double> outputs);
 
-// Sum over the samples of (target - output)².
+// Sum over the samples of (target - output)², each output to within some 1e-16 times the output weights.
 [[nodiscard]] double perceptron_sse(const PerceptronShape& shape, std::span<const double> weights,
                                     const Samples& samples);
 

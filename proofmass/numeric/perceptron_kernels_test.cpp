@@ -104,8 +104,8 @@ TEST_P(PerceptronKernels, WeightsThatAreNotNumbersNeverGiveAFiniteSumOfSquares) 
       poisoned[i] = std::numeric_limits<double>::quiet_NaN();
       EXPECT_FALSE(std::isfinite(perceptron_sse(shape, poisoned, samples))) << rows << " rows, weight " << i;
       PerceptronColumns columns(shape, samples);
-      EXPECT_FALSE(std::isfinite(
-          perceptron_normal_equations(shape, poisoned, samples, false, columns, jtj, jte)));
+      EXPECT_FALSE(
+          std::isfinite(perceptron_normal_equations(shape, poisoned, samples, false, columns, jtj, jte)));
       EXPECT_FALSE(std::isfinite(perceptron_sse(shape, poisoned, samples, columns)));
       if (i < shape.hidden_weights()) continue;
       poisoned[i] = std::numeric_limits<double>::infinity();
@@ -192,6 +192,26 @@ TEST_P(PerceptronKernels, NormalEquationsAreThoseOfTheExplicitJacobian) {
       const Samples samples = test::random_samples(shape.inputs, rows, random);
       expect_scalar_normal_equations(shape, test::random_vector(shape.parameters(), random), samples);
     }
+  }
+}
+
+TEST_P(PerceptronKernels, OutputsTakeTanhToRoundingOfOne) {
+  RandomStream random(9);
+  const PerceptronShape shape{.inputs = 1, .hidden = 1};
+  const std::vector<double> weights{1.0, 0.0, 1.0, 0.0};
+  Samples samples(1, 40000);
+  for (std::size_t row = 0; row < 40000; ++row) {
+    samples.input(0)[row] = row % 2 == 0
+                                ? random.uniform(-4.0, 4.0)
+                                : std::scalbn(random.uniform(-2.0, 2.0), -static_cast<int>(row / 40));
+  }
+  std::vector<double> outputs(40000);
+  perceptron_outputs(shape, weights, samples, outputs);
+  for (std::size_t row = 0; row < 40000; ++row) {
+    const Real expected = std::tanh(Real{samples.input(0)[row]});
+    const Real error = std::abs(outputs[row] - expected);
+    ASSERT_LE(error, 4.5e-15L * std::abs(expected)) << samples.input(0)[row];
+    ASSERT_LE(error, 4e-16L) << samples.input(0)[row];
   }
 }
 

@@ -28,14 +28,18 @@ void MatrixRows::fill(std::size_t first, std::size_t count, RowBlock& block) con
   std::copy_n(y_.data() + first, count, block.column(design_.columns()));
 }
 
-WeightedRows::WeightedRows(const RegressionRows& rows, std::vector<double> weights)
-    : rows_(rows), weights_(std::move(weights)) {
-  if (weights_.size() != rows.rows()) throw std::invalid_argument("weighted rows need one weight each");
-  for (const double weight : weights_) {
+void require_weights(std::span<const double> weights, std::size_t rows) {
+  if (weights.size() != rows) throw std::invalid_argument("weighted rows need one weight each");
+  for (const double weight : weights) {
     if (!(weight >= 0.0) || !std::isfinite(weight)) {
       throw std::invalid_argument("a weight must be finite and not negative");
     }
   }
+}
+
+WeightedRows::WeightedRows(const RegressionRows& rows, std::vector<double> weights)
+    : rows_(rows), weights_(std::move(weights)) {
+  require_weights(weights_, rows.rows());
 }
 
 void WeightedRows::fill(std::size_t first, std::size_t count, RowBlock& block) const {

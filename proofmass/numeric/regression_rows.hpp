@@ -65,6 +65,9 @@ class MatrixRows final : public RegressionRows {
   std::vector<double> scales_;
 };
 
+// Throws std::invalid_argument unless there is one weight for each of so many rows, finite and not negative.
+void require_weights(std::span<const double> weights, std::size_t rows);
+
 // The rows of another, which must outlive this, times the square roots of weights: sums of squares over them
 // are weighted sums (Golub & Van Loan, Matrix Computations, 6.1). A weight of zero takes a row out. Throws
 // std::invalid_argument when a weight is negative or not finite, or there is not one for each row.

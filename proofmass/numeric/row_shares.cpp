@@ -9,7 +9,7 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kLeastRows = 64 * RowBlock::kRows;  // a share worth another thread's attention
+constexpr std::size_t kLeastRows = 32 * RowBlock::kRows;  // a share worth another thread's attention
 constexpr std::size_t kMostShares = 64;
 
 std::size_t share_rows(std::size_t rows) noexcept {

@@ -9,8 +9,8 @@
 //   Dᵀq                   p (n + 1)
 //   P = D - q C           p (n + 1) - H
 //   PᵀP, Pᵀe              p (p + 3) / 2
-//   second derivative     H (I + 5), twice n for its part in q, p + H
-// 3-7-1, n = 8: 36, 45, 252, 245, 434 and 107, of which the last three need 8, 8 and 7 columns kept.
+//   second derivative     H (I + 5), its part in q 3 n, Dᵀs p + I + 1
+// 3-7-1, n = 8: 36, 45, 252, 245, 434 and 112.
 #if defined(PROOFMASS_SEPARABLE_COLUMNS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_SEPARABLE_COLUMNS_INL
 #undef PROOFMASS_SEPARABLE_COLUMNS_INL

@@ -107,7 +107,7 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
       products_(shape.output_weights() + fixed.columns()),
       cross_(shape.hidden_weights(), shape.output_weights() + fixed.columns()),
       projection_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
-      de_(shape.hidden_weights()) {
+      pe_(shape.hidden_weights()) {
   const std::size_t n = shape.output_weights() + fixed.columns();
   for (Solution* solution : {&current_, &trial_}) {
     solution->transform = Matrix(n, n);
@@ -225,9 +225,9 @@ void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) 
   });
   view(projection_).noalias() = cview(current_.gram_inverse) * cview(cross_).transpose();
   pass_over_current([&](const SeparableNetwork& network) {
-    sum_projected_products(network, current_.kept, current_.columns, projection_, normal, de_);
+    sum_projected_products(network, current_.kept, current_.columns, projection_, normal, pe_);
   });
-  std::transform(de_.begin(), de_.end(), gradient.begin(), std::negate<>());
+  std::transform(pe_.begin(), pe_.end(), gradient.begin(), std::negate<>());
   linearised_ = true;
 }
 
@@ -244,8 +244,8 @@ bool SeparablePerceptron::curvature(std::span<const double> direction, std::span
   for (std::size_t j = 0; j < shape_.hidden; ++j) {
     const double weight = current_.output_weights[j];
     if (weight == 0.0) continue;
-    double sum = direction[shape_.hidden * shape_.inputs + j] * de_[shape_.hidden * shape_.inputs + j];
-    for (std::size_t k = j * shape_.inputs; k < (j + 1) * shape_.inputs; ++k) sum += direction[k] * de_[k];
+    double sum = direction[shape_.hidden * shape_.inputs + j] * pe_[shape_.hidden * shape_.inputs + j];
+    for (std::size_t k = j * shape_.inputs; k < (j + 1) * shape_.inputs; ++k) sum += direction[k] * pe_[k];
     moved(static_cast<Eigen::Index>(j)) = sum / weight;
   }
   std::vector<double> along(direction.begin(), direction.end());

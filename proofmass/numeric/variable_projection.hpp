@@ -16,7 +16,8 @@ namespace proofmass {
 // Training of the hidden weights alone, the output layer solved by least squares inside: r = target projected
 // off the hidden activations (Golub & Pereyra 1973), its Jacobian by Kaufman's approximation (1975). x = the
 // hidden weights. evaluate passes once over the samples where it has a good guess of the output layer, else
-// twice or more, linearise and curvature twice; of few samples passes find what those before have computed.
+// twice or more, linearise and curvature twice; of up to some thousand samples passes find what those before
+// have computed, in at most 3 MiB for each of the two points known.
 class SeparablePerceptron final : public SumOfSquares {
  public:
   // Keeps references. `fixed` are further columns that the output is linear in, of padded_rows() values, zero
@@ -70,7 +71,7 @@ class SeparablePerceptron final : public SumOfSquares {
   bool linearised_ = false;  // at the current point
   Matrix cross_;             // Dᵀq there; hidden weights by columns of q
   Matrix projection_;        // (qᵀq)⁻¹ qᵀD there; columns of q by hidden weights
-  std::vector<double> de_;   // Dᵀe there
+  std::vector<double> pe_;   // Pᵀe there, which is Dᵀe as e is orthogonal to q
 };
 
 }  // namespace proofmass

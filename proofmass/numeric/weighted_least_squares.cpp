@@ -15,12 +15,7 @@ namespace {
 std::vector<double> row_factors(std::span<const double> weights) {
   std::vector<double> factors;
   factors.reserve(weights.size());
-  for (const double weight : weights) {
-    if (!(weight >= 0.0) || !std::isfinite(weight)) {
-      throw std::invalid_argument("a weight must be finite and not negative");
-    }
-    factors.push_back(std::sqrt(weight));
-  }
+  for (const double weight : weights) factors.push_back(std::sqrt(weight));
   return factors;
 }
 
@@ -39,6 +34,7 @@ WeightedFit solve_weighted_least_squares(const Matrix& design, std::span<const d
   if (weights.size() != design.rows() || y.size() != design.rows()) {
     throw std::invalid_argument("weighted least squares needs one weight and one y a row");
   }
+  require_weights(weights, design.rows());
   const std::vector<double> factors = row_factors(weights);
   Matrix scaled = design;
   std::vector<double> right(y.begin(), y.end());
