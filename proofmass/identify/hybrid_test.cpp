@@ -11,7 +11,6 @@
 #include "proofmass/identify/method.hpp"
 #include "proofmass/identify/ols.hpp"
 #include "proofmass/numeric/random.hpp"
-#include "proofmass/numeric/random.hpp"
 #include "proofmass/pipeline.hpp"
 #include "proofmass/stand/simulation.hpp"
 #include "proofmass/stand/simulation_file.hpp"

@@ -18,13 +18,20 @@ namespace proofmass {
 class SeparablePool {
  public:
   // Keeps references.
-  SeparablePool(const PerceptronShape& shape, const Samples& samples) : shape_(shape), samples_(samples) {}
   SeparablePool(const PerceptronShape& shape, const Samples& samples, const ColumnBlock& fixed)
-      : shape_(shape), samples_(samples), fixed_(&fixed) {}
+      : shape_(shape), samples_(samples), fixed_(fixed) {}
 
   // Root mean square over the samples, the output layer solved by least squares, to about four digits.
   [[nodiscard]] double rmse(std::span<const double> hidden_weights) const {
-    std::unique_ptr<SeparablePerceptron> problem = lend();
+    std::unique_ptr<SeparablePerceptron> problem;
+    {
+      const std::lock_guard lock(mutex_);
+      if (!idle_.empty()) {
+        problem = std::move(idle_.back());
+        idle_.pop_back();
+      }
+    }
+    if (!problem) problem = std::make_unique<SeparablePerceptron>(shape_, samples_, fixed_);
     const double value = std::sqrt(problem->estimate(hidden_weights) / static_cast<double>(samples_.rows()));
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(problem));
@@ -32,22 +39,9 @@ class SeparablePool {
   }
 
  private:
-  [[nodiscard]] std::unique_ptr<SeparablePerceptron> lend() const {
-    {
-      const std::lock_guard lock(mutex_);
-      if (!idle_.empty()) {
-        std::unique_ptr<SeparablePerceptron> problem = std::move(idle_.back());
-        idle_.pop_back();
-        return problem;
-      }
-    }
-    return fixed_ != nullptr ? std::make_unique<SeparablePerceptron>(shape_, samples_, *fixed_)
-                             : std::make_unique<SeparablePerceptron>(shape_, samples_);
-  }
-
   const PerceptronShape& shape_;
   const Samples& samples_;
-  const ColumnBlock* fixed_ = nullptr;
+  const ColumnBlock& fixed_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<SeparablePerceptron>> idle_;
 };

@@ -9,6 +9,11 @@
 #include "proofmass/numeric/perceptron_kernels.hpp"
 
 namespace proofmass {
+namespace {
+
+const ColumnBlock kNoColumns;
+
+}  // namespace
 
 SwarmFitnessFunction::SwarmFitnessFunction(const PerceptronShape& shape, const Samples& samples,
                                            const IdentifyOptions& options, const Progress& progress)
@@ -18,7 +23,7 @@ SwarmFitnessFunction::SwarmFitnessFunction(const PerceptronShape& shape, const S
       fitness_(options.swarm.fitness),
       fitness_epochs_(options.swarm.fitness_epochs),
       progress_(progress),
-      separable_(std::make_unique<const SeparablePool>(shape_, samples)) {
+      separable_(std::make_unique<const SeparablePool>(shape_, samples, kNoColumns)) {
   network_.trainer = Trainer::lm;
 }
 

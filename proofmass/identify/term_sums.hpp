@@ -15,7 +15,8 @@ namespace proofmass {
 class TermSums {
  public:
   TermSums(const Dataset& data, TermList terms);
-  // And of the rows by weights. Throws std::invalid_argument unless there is one a row, finite and not negative.
+  // And of the rows by weights. Throws std::invalid_argument unless there is one a row, finite and not
+  // negative.
   TermSums(const Dataset& data, TermList terms, std::span<const double> weights);
 
   [[nodiscard]] const Dataset& data() const noexcept { return data_; }

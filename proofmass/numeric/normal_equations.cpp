@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Core>
-#include <utility>
 
 #include "proofmass/numeric/cholesky_kernel.hpp"
 #include "proofmass/numeric/linearised_sum_internal.hpp"
@@ -41,7 +40,7 @@ class NormalEquations final : public LinearisedSum {
     Vector second(n_);
     const std::span<const double> direction(velocity.data(), problem_.parameters());
     if (!problem_.curvature(direction, view(second))) return std::nullopt;
-    return solve(std::move(second));
+    return solve(second);
   }
 
   // -2 gᵀv - vᵀNv where (N + damping) v = -g.
@@ -56,11 +55,9 @@ class NormalEquations final : public LinearisedSum {
     return {factor_.values.data(), n_, n_, Eigen::OuterStride<>(static_cast<Eigen::Index>(factor_.stride))};
   }
   // The solution for -b.
-  [[nodiscard]] Vector solve(Vector b) const {
+  [[nodiscard]] Vector solve(const Vector& b) const {
     const auto triangle = lower().triangularView<Eigen::Lower>();
-    triangle.solveInPlace(b);
-    triangle.transpose().solveInPlace(b);
-    return -b;
+    return -triangle.transpose().solve(triangle.solve(b));
   }
 
   SumOfSquares& problem_;

@@ -12,22 +12,19 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// Scratch memory for the sums of a pass, all zero, and what else it needs.
-double* start(std::initializer_list<ProductSums*> sums, std::size_t more) {
-  std::size_t size = 0;
-  for (const ProductSums* list : sums) size += list->storage();
+// Scratch memory for the sums of a pass, all zero, and what else it needs, which is returned.
+template <typename... Sums>
+double* LayOut(std::size_t more, Sums&... sums) {
+  const std::size_t size = (sums.storage() + ...);
   double* next = kernel_scratch(size + more);
   std::fill_n(next, size, 0.0);
-  for (ProductSums* list : sums) {
-    list->start(next);
-    next += list->storage();
-  }
+  ((sums.start(next), next += sums.storage()), ...);
   return next;
 }
 
 // Calls body with the first row of each block and its rows.
 template <typename Body>
-HWY_INLINE void for_each_block(const Samples& samples, const Body& body) {
+HWY_INLINE void ForEachBlock(const Samples& samples, const Body& body) {
   for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
     body(first, std::min(kBlockRows, samples.padded_rows() - first));
   }
@@ -38,8 +35,8 @@ void BasisSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_co
   SeparableColumns columns(network, kept, kept_columns, false);
   const std::size_t n = columns.basis();
   ProductSums sums(n + 1, n + 1, true);
-  columns.start(start({&sums}, columns.scratch()));
-  for_each_block(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+  columns.start(LayOut(columns.scratch(), sums));
+  ForEachBlock(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
     for (std::size_t c = 0; c <= n; ++c) sums.left[c] = {columns.q() + c * kStride, nullptr};
     sums.right = columns.q();
@@ -60,8 +57,8 @@ void CrossSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_co
   const std::size_t inputs = network.shape.inputs;
   const std::size_t hidden = network.shape.hidden;
   ProductSums sums(hidden * (inputs + 1), columns.basis(), false);
-  columns.start(start({&sums}, columns.scratch()));
-  for_each_block(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+  columns.start(LayOut(columns.scratch(), sums));
+  ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
     for (std::size_t j = 0; j < hidden; ++j) {
       for (std::size_t k = 0; k < inputs; ++k) {
@@ -83,11 +80,11 @@ void ProjectedSums(const SeparableNetwork& network, Kept kept, BlockColumns& kep
   SeparableColumns columns(network, kept, kept_columns, true);
   const std::size_t p = projection.columns();
   ProductSums sums(p, p + 1, true);
-  double* const projected = start({&sums}, (p + 1) * kStride + columns.scratch());  // P, then the error
+  double* const projected = LayOut((p + 1) * kStride + columns.scratch(), sums);  // P, then the error
   columns.start(projected + (p + 1) * kStride);
   for (std::size_t c = 0; c < p; ++c) sums.left[c] = {projected + c * kStride, nullptr};
   sums.right = projected;
-  for_each_block(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+  ForEachBlock(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
     ProjectBlock(network.shape, network.samples, first, rows, columns.slope(0), columns.q(), projection,
                  projected);
@@ -105,8 +102,8 @@ void ProjectedSums(const SeparableNetwork& network, Kept kept, BlockColumns& kep
 void SecondBasisSums(const SeparableNetwork& network, SeparableColumns& columns, const double* direction,
                      double* q_second) {
   ProductSums sums(1, columns.basis(), false);
-  columns.start(start({&sums}, columns.scratch()));
-  for_each_block(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+  columns.start(LayOut(columns.scratch(), sums));
+  ForEachBlock(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
     SecondDerivative(network, direction, first, rows, columns);
     sums.left[0] = {columns.second(), nullptr};
@@ -131,8 +128,8 @@ void SecondSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_c
   }
   columns.found(Kept::derivatives);
   ProductSums by_weight(inputs + 1, hidden, false), by_output(1, n, false);
-  columns.start(start({&by_weight, &by_output}, columns.scratch()));
-  for_each_block(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
+  columns.start(LayOut(columns.scratch(), by_weight, by_output));
+  ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
     if (!kept_columns.keeps()) SecondDerivative(network, direction, first, rows, columns);
     SubtractColumns(columns.q(), removed, rows, columns.second());
