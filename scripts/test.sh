@@ -34,9 +34,9 @@ test_build() {
 }
 launcher=()
 
-# Left out by the preset: statistics over many repeats, whose threads the law suite runs already. ThreadSanitizer
-# of GCC 12 cannot run where the kernel
-# randomises more address bits than it knows.
+# Left out by the presets of both sanitizers: statistics over many repeats, whose code the law suite and the tests of
+# each method's errors run already, many times slower than in the optimised build, which runs them all.
+# ThreadSanitizer of GCC 12 cannot run where the kernel randomises more address bits than it knows.
 test_threads() {
   local launcher=()
   ! setarch --addr-no-randomize true 2>/dev/null || launcher=(setarch --addr-no-randomize)

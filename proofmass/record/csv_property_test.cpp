@@ -56,7 +56,7 @@ Dataset any_record() {
   return record;
 }
 
-std::string text_of(const Dataset& record, const WriteOptions& options = {}) {
+std::string written(const Dataset& record, const WriteOptions& options = {}) {
   std::ostringstream out;
   write_record(out, record, options);
   return out.str();
@@ -75,7 +75,7 @@ RC_GTEST_PROP(Record, ReadsBackTheSameBits, ()) {
   RC_ASSERT(bits(back.output_sigma) == bits(record.output_sigma));
   RC_ASSERT(bits(back.time) == bits(record.time));
   RC_ASSERT(back.mount == record.mount);
-  RC_ASSERT(text_of(back) == text_of(record));
+  RC_ASSERT(written(back) == written(record));
 }
 
 // A record that came in other units keeps its bits when it is written in them again and read back.
