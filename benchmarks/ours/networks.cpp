@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
 #include <optional>
 
 #include "ours/tasks.hpp"
@@ -40,12 +39,25 @@ Answer time_networks(const Request& request, const Evaluate& evaluate) {
   const auto rows = static_cast<double>(samples.rows());
   Answer answer = measure(request.seconds, [&] {
     for (std::size_t k = 0; k < networks.size(); ++k) {
-      rmse[k] = std::sqrt(evaluate(shape, networks[k], samples) / rows);
+      rmse[k] = proofmass::root_mean(evaluate(shape, networks[k], samples), samples);
     }
   });
   answer.ns = 1e9 * answer.seconds / (rows * static_cast<double>(networks.size()));
   answer.values = rmse;
   return answer;
+}
+
+// Training of all weights by the damping that GSL and Ceres use too, which seldom tries a point in vain.
+Answer train_by_gain(const Request& request, const NetworkSamples& rows, const PerceptronShape& shape,
+                     const Samples& samples) {
+  return contend_training(request, rows, [&](std::span<const double> start, std::size_t epochs) {
+    proofmass::PerceptronProblem problem(shape, samples);
+    const proofmass::LevenbergMarquardtOptions options{.iterations = epochs, .mu = 1e-3, .mu_max = 1e16};
+    const proofmass::LevenbergMarquardtResult result = proofmass::minimise(problem, start, options);
+    return Trained{.weights = result.point,
+                   .rmse = proofmass::root_mean(result.sum_of_squares, samples),
+                   .epochs = result.iterations};
+  });
 }
 
 }  // namespace
@@ -67,20 +79,6 @@ Answer kernels(const Request& request) {
     const double sum = proofmass::perceptron_sse(shape, weights, samples, *columns);
     (void)proofmass::perceptron_normal_equations(shape, weights, samples, true, *columns, jtj, jte);
     return sum;
-  });
-}
-
-// Training of all weights by the damping that GSL and Ceres use too, which seldom tries a point in vain.
-Answer train_by_gain(const Request& request, const NetworkSamples& rows, const PerceptronShape& shape,
-                     const Samples& samples) {
-  return contend_training(request, rows, [&](std::span<const double> start, std::size_t epochs) {
-    proofmass::PerceptronProblem problem(shape, samples);
-    const proofmass::LevenbergMarquardtOptions options{.iterations = epochs, .mu = 1e-3, .mu_max = 1e16};
-    const proofmass::LevenbergMarquardtResult result = proofmass::minimise(
-        problem, start, options, [](std::size_t, std::span<const double>, double) { return true; });
-    return Trained{.weights = result.point,
-                   .rmse = std::sqrt(result.sum_of_squares / static_cast<double>(samples.rows())),
-                   .epochs = result.iterations};
   });
 }
 

@@ -106,7 +106,7 @@ HybridFit assemble(const HybridProblem& problem, const Candidate& best) {
   fit.rss = best.result.sum_of_squares * half * half;
   fit.parameters = problem.shape.parameters() + problem.terms.size();
   for (const double sum : best.result.history) {
-    fit.curve.push_back(std::sqrt(sum / static_cast<double>(problem.samples.rows())));
+    fit.curve.push_back(root_mean(sum, problem.samples));
   }
   return fit;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "proofmass/core/error.hpp"
@@ -54,7 +55,7 @@ Fold leave_out(const Dataset& training, const std::vector<std::size_t>& set_ups,
   const StaticModel model{terms, solve_least_squares(design_matrix(rows, terms), rows.output).coefficients};
   const HybridFit fit = fit_hybrid(rows, terms, hidden, options, progress);
   const std::vector<double> predicted = network_outputs(fit.network, out);
-  errors.rows = left;
+  errors.rows = std::move(left);
   errors.epochs = fit.epochs;
   errors.evaluations = fit.evaluations;
   for (std::size_t r = 0; r < out.rows(); ++r) {

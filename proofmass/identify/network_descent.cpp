@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -8,10 +7,6 @@
 #include "proofmass/numeric/perceptron_kernels.hpp"
 
 namespace proofmass {
-
-double root_mean(double sum_of_squares, const Samples& samples) {
-  return std::sqrt(sum_of_squares / static_cast<double>(samples.rows()));
-}
 
 NetworkDescent::NetworkDescent(const PerceptronShape& shape, const Samples& training,
                                const Samples* validation, const NetworkOptions& options, TrainingState& state,

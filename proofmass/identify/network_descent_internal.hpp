@@ -13,8 +13,6 @@
 
 namespace proofmass {
 
-[[nodiscard]] double root_mean(double sum_of_squares, const Samples& samples);
-
 // Keeps references to all it is given. `validation` may be null.
 class NetworkDescent {
  public:

@@ -34,14 +34,16 @@ LevenbergMarquardtOptions projected() {
           .mu_max = 1e16};
 }
 
-// Settings to train by until what is left to gain is not worth the epochs.
-LevenbergMarquardtOptions until_rest(LevenbergMarquardtOptions settings) {
+// Until what is left to gain is not worth the epochs.
+LevenbergMarquardtOptions projected_until_rest() {
+  LevenbergMarquardtOptions settings = projected();
   settings.stall_window = 6;
   settings.stall_reduction = 1e-2;
   return settings;
 }
 
-LevenbergMarquardtOptions until_minimum(LevenbergMarquardtOptions settings) {
+LevenbergMarquardtOptions projected_until_minimum() {
+  LevenbergMarquardtOptions settings = projected();
   settings.stall_window = 50;
   settings.stall_reduction = 1e-5;
   return settings;
@@ -97,11 +99,10 @@ bool NetworkTrainer::go_on(TrainingState& state, double sum_of_squares) const {
 }
 
 LevenbergMarquardtOptions NetworkTrainer::settings(const TrainingState& state) const {
-  LevenbergMarquardtOptions settings = textbook(options_);
-  if (options_.trainer == Trainer::varpro) {
-    // Validation rows end the training themselves.
-    settings = validation_ != nullptr ? until_minimum(projected()) : until_rest(projected());
-  }
+  // Validation rows end the training themselves.
+  LevenbergMarquardtOptions settings = options_.trainer == Trainer::lm ? textbook(options_)
+                                       : validation_ != nullptr        ? projected_until_minimum()
+                                                                       : projected_until_rest();
   settings.mu = state.mu;
   return settings;
 }
@@ -148,7 +149,7 @@ void NetworkTrainer::polish(TrainingState& state, std::size_t epochs,
   const bool rests = state.finished && state.termination.cause == Cause::stalled;
   if (options_.trainer != Trainer::varpro || validation_ != nullptr || !rests || epochs == 0) return;
   NetworkDescent descent(shape_, training_, validation_, options_, state, keep_going);
-  LevenbergMarquardtOptions settings = until_minimum(projected());
+  LevenbergMarquardtOptions settings = projected_until_minimum();
   settings.iterations = epochs;
   state.point = state.weights;
   take(descent.run(settings), state);

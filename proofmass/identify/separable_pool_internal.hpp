@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -32,7 +31,7 @@ class SeparablePool {
       }
     }
     if (!problem) problem = std::make_unique<SeparablePerceptron>(shape_, samples_, fixed_);
-    const double value = std::sqrt(problem->estimate(hidden_weights) / static_cast<double>(samples_.rows()));
+    const double value = root_mean(problem->estimate(hidden_weights), samples_);
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(problem));
     return value;

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/swarm_fitness.hpp"
 
-#include <cmath>
-#include <utility>
-
 #include "proofmass/identify/network_trainer.hpp"
 #include "proofmass/identify/separable_pool_internal.hpp"
 #include "proofmass/numeric/perceptron_kernels.hpp"
 
 namespace proofmass {
-namespace {
-
-const ColumnBlock kNoColumns;
-
-}  // namespace
 
 SwarmFitnessFunction::SwarmFitnessFunction(const PerceptronShape& shape, const Samples& samples,
                                            const IdentifyOptions& options, const Progress& progress)
@@ -32,7 +24,7 @@ SwarmFitnessFunction::~SwarmFitnessFunction() = default;
 double SwarmFitnessFunction::operator()(std::span<const double> position) const {
   if (fitness_ == SwarmFitness::separable) return separable_->rmse(position);
   if (fitness_ == SwarmFitness::trained) return trained(position);
-  return std::sqrt(perceptron_sse(shape_, position, samples_) / static_cast<double>(samples_.rows()));
+  return root_mean(perceptron_sse(shape_, position, samples_), samples_);
 }
 
 double SwarmFitnessFunction::trained(std::span<const double> position) const {

@@ -46,13 +46,10 @@ class AxisPowers {
  public:
   AxisPowers(const TermList& terms, RowBlock& block) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t k = 0; k < 3; ++k) powers_[axis][k] = aside_[axis][k].data();
-    }
-    for (std::size_t c = 0; c < terms.size(); ++c) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          if (terms[c] == kPowers[axis][k]) powers_[axis][k] = block.column(c);
-        }
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto at = std::find(terms.begin(), terms.end(), kPowers[axis][k]);
+        powers_[axis][k] = at == terms.end() ? aside_[axis][k].data()
+                                             : block.column(static_cast<std::size_t>(at - terms.begin()));
       }
     }
   }

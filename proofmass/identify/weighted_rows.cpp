@@ -39,11 +39,10 @@ Error weighted_refusal(const Dataset& data, const Identifiability& left, std::si
 // An exact fit to as many rows as terms says nothing of its errors.
 void require_spare_row(const Dataset& data, const Identifiability& left, std::size_t rows) {
   if (rows > left.identified.size()) return;
-  throw refusal(
-      fmt::format("{}: {} of {} rows have weight beside the others, too few for {} terms; at least one more "
-                  "than the terms "
-                  "is needed: ask for fewer terms (--terms), or look at the rows that lost their weight",
-                  data.source, rows, data.rows(), left.identified.size()));
+  throw refusal(fmt::format(
+      "{}: {} of {} rows have weight beside the others, too few for {} terms; at least one more "
+      "than the terms is needed: ask for fewer terms (--terms), or look at the rows that lost their weight",
+      data.source, rows, data.rows(), left.identified.size()));
 }
 
 }  // namespace

@@ -77,12 +77,12 @@ std::string chi_square_note(double ratio, double dof, ChiSquareScaling scaling) 
   return note;
 }
 
+// `counted`: the rows with weight.
 Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<double> weights,
-                      const WlsOptions& options) {
+                      std::size_t counted, const WlsOptions& options) {
   const Dataset& training = sums.data();
   // The variance that weight 1 stands for.
   const double unit_variance = training.output_sigma.front() * training.output_sigma.front();
-  const std::size_t counted = count_rows_with_weight(weights);
   const TermRows rows = sums.rows(terms);
   const WeightedRows weighted(rows, std::move(weights));
   NormalSolution solution = solve_normal_equations(sums.weighted_gram(terms), weighted);
@@ -99,8 +99,7 @@ Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<d
   if (counted < training.rows()) {
     result.notes.push_back(
         fmt::format("{} of {} rows have no weight beside the others, their sigma_E being so much larger: "
-                    "they tell nothing "
-                    "and do not count as degrees of freedom",
+                    "they tell nothing and do not count as degrees of freedom",
                     training.rows() - counted, training.rows()));
   }
   result.ending = {
@@ -187,8 +186,11 @@ Identification identify_wls(const Dataset& training, const Dataset& /*validation
     throw Error(ErrorKind::interrupted, "interrupted before the weighted least-squares solution");
   Weighted weighted;
   if (by_sigma) {
-    found = require_identifiable_by_weight(training, found, weights, options.on_rank_loss);
-    weighted = fit_by_sigma(sums, found.identified, std::move(weights), options.wls);
+    const std::size_t counted = count_rows_with_weight(weights);
+    if (counted < training.rows()) {
+      found = require_identifiable_by_weight(training, found, weights, options.on_rank_loss);
+    }
+    weighted = fit_by_sigma(sums, found.identified, std::move(weights), counted, options.wls);
   } else {
     weighted = fit_by_model(sums, found.identified, options.wls);
   }

@@ -33,7 +33,8 @@ class TiledSums {
     for (std::size_t c = 0; c < columns_; ++c) {
       const Range range = RangeOf(block.column(c), count);
       gram.widen_range(c, range.least, range.greatest);
-      set_column(c, block.column(c), PowerAbove(std::max(-range.least, range.greatest)));
+      pointers_[c] = block.column(c);
+      bounds_[c] = PowerAbove(std::max(-range.least, range.greatest));
     }
     for (std::size_t first = 0; first < Padded(count); first += kMostOfLane * kLanes) {
       add(first, std::min(first + kMostOfLane * kLanes, Padded(count)));
@@ -61,11 +62,6 @@ class TiledSums {
   struct Tile {
     std::size_t i, j;
   };
-
-  void set_column(std::size_t c, const double* values, double bound) {
-    pointers_[c] = values;
-    bounds_[c] = bound;
-  }
 
   void add(std::size_t first, std::size_t last) {
     const double unit = Anchor(last - first);

@@ -8,7 +8,9 @@ namespace proofmass {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using Padded = Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
+// A view of a padded matrix, constant or not.
+template <typename M>
+using Padded = Eigen::Map<M, Eigen::Unaligned, Eigen::OuterStride<>>;
 
 class NormalEquations final : public LinearisedSum {
  public:
@@ -30,8 +32,9 @@ class NormalEquations final : public LinearisedSum {
 
   bool factor(const Vector& damping) override {
     damping_ = damping;
-    lower() = normal();
-    lower().diagonal() += damping;
+    Padded<Eigen::MatrixXd> damped(factor_.values.data(), n_, n_, stride());
+    damped = normal();
+    damped.diagonal() += damping;
     return cholesky_in_place(factor_);
   }
   [[nodiscard]] Vector velocity() const override { return solve(gradient_); }
@@ -51,12 +54,13 @@ class NormalEquations final : public LinearisedSum {
  private:
   [[nodiscard]] std::span<double> view(Vector& v) const { return {v.data(), problem_.parameters()}; }
   [[nodiscard]] Eigen::Map<const Eigen::MatrixXd> normal() const { return {normal_.data(), n_, n_}; }
-  [[nodiscard]] Padded lower() const {
-    return {factor_.values.data(), n_, n_, Eigen::OuterStride<>(static_cast<Eigen::Index>(factor_.stride))};
+  [[nodiscard]] Eigen::OuterStride<> stride() const {
+    return Eigen::OuterStride<>(static_cast<Eigen::Index>(factor_.stride));
   }
   // The solution for -b.
   [[nodiscard]] Vector solve(const Vector& b) const {
-    const auto triangle = lower().triangularView<Eigen::Lower>();
+    const Padded<const Eigen::MatrixXd> factor(factor_.values.data(), n_, n_, stride());
+    const auto triangle = factor.triangularView<Eigen::Lower>();
     return -triangle.transpose().solve(triangle.solve(b));
   }
 
@@ -64,7 +68,7 @@ class NormalEquations final : public LinearisedSum {
   Eigen::Index n_;
   Matrix normal_;
   Vector gradient_, damping_;
-  mutable PaddedSquare factor_;
+  PaddedSquare factor_;
 };
 
 }  // namespace

@@ -82,16 +82,9 @@ void Activations(const PerceptronShape& shape, const double* weights, const Samp
   }
 }
 
-double KeepingForward(const PerceptronShape& shape, const double* weights, const Samples& samples,
-                      BlockColumns& columns) {
-  const ColumnBlock none;
-  return SumOfSquaresKeeping({shape, weights, none}, samples, columns);
-}
-
 double NormalEquations(const PerceptronShape& shape, const double* weights, const Samples& samples, bool kept,
                        PerceptronColumns& columns, Matrix& jtj, double* jte) {
-  const ColumnBlock none;
-  const Network network{shape, weights, none};
+  const Network network{shape, weights, kNoColumns};
   NormalSums sums(network, samples, columns);
   sums.run(kept);
   return sums.store(jtj, jte);
@@ -133,8 +126,8 @@ double perceptron_sse(const PerceptronShape& shape, std::span<const double> weig
 double perceptron_normal_equations(const PerceptronShape& shape, std::span<const double> weights,
                                    const Samples& samples, bool kept, PerceptronColumns& columns, Matrix& jtj,
                                    std::span<double> jte) {
-  return HWY_DYNAMIC_DISPATCH(NormalEquations)
-  (shape, weights.data(), samples, kept, columns, jtj, jte.data());
+  return HWY_DYNAMIC_DISPATCH(NormalEquations)(shape, weights.data(), samples, kept, columns, jtj,
+                                               jte.data());
 }
 
 void hidden_activations(const PerceptronShape& shape, std::span<const double> hidden_weights,

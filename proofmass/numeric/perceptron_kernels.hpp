@@ -32,6 +32,9 @@ class ColumnBlock {
   AlignedColumn data_;
 };
 
+// Of networks without fixed columns.
+inline const ColumnBlock kNoColumns;
+
 // The network's output for every sample. `outputs` has samples.rows() values.
 void perceptron_outputs(const PerceptronShape& shape, std::span<const double> weights, const Samples& samples,
                         std::span<double> outputs);

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "proofmass/numeric/kernel_scratch_internal.hpp"
 #include "proofmass/numeric/perceptron_kernels-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -48,10 +47,11 @@ void HiddenOutputBlock(const Network& network, const Samples& samples, std::size
 }
 
 // The sum of squared errors, in a pass that leaves activations and errors.
-double SumOfSquaresKeeping(const Network& network, const Samples& samples, BlockColumns& columns) {
+double KeepingForward(const PerceptronShape& shape, const double* weights, const Samples& samples,
+                      BlockColumns& columns) {
+  const Network network{shape, weights, kNoColumns};
   V sums = hn::Zero(kD);
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    const std::size_t rows = std::min(kBlockRows, samples.padded_rows() - first);
+  ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     double* const hidden = columns.block(first, nullptr);
     HiddenOutputBlock(network, samples, first, rows, hidden, nullptr);
     const double* const error = hidden + (network.shape.hidden + 1) * kStride;
@@ -59,7 +59,7 @@ double SumOfSquaresKeeping(const Network& network, const Samples& samples, Block
       const V e = hn::LoadU(kD, error + at);
       sums = hn::MulAdd(e, e, sums);
     }
-  }
+  });
   return hn::GetLane(hn::SumOfLanes(kD, sums));
 }
 
@@ -77,24 +77,16 @@ class NormalSums {
         slopes_(hidden_ * (hidden_ + 1) / 2, (inputs_ + 1) * (inputs_ + 2) / 2, false),
         cross_(hidden_ * (inputs_ + 1), hidden_ + 2, false),
         outputs_(hidden_ + 2, hidden_ + 2, true) {
-    const std::size_t sums = slopes_.storage() + cross_.storage() + outputs_.storage();
-    double* next =
-        kernel_scratch(sums + hidden_ * kStride + columns.hidden.block_size() + columns.moments.block_size());
-    std::fill_n(next, sums, 0.0);
-    for (ProductSums* list : {&slopes_, &cross_, &outputs_}) {
-      list->start(next);
-      next += list->storage();
-    }
-    slope_ = next;
-    scratch_ = next + hidden_ * kStride;
+    slope_ = LayOut(hidden_ * kStride + columns.hidden.block_size() + columns.moments.block_size(), slopes_,
+                    cross_, outputs_);
+    scratch_ = slope_ + hidden_ * kStride;
   }
 
   // `kept`: whether activations and errors are there already.
   void run(bool kept) {
     kept = kept && columns_.hidden.keeps();
     const bool moments_kept = std::exchange(columns_.moments_known, columns_.moments.keeps());
-    for (std::size_t first = 0; first < samples_.padded_rows(); first += kBlockRows) {
-      const std::size_t rows = std::min(kBlockRows, samples_.padded_rows() - first);
+    ForEachBlock(samples_, [&](std::size_t first, std::size_t rows) HWY_ATTR {
       double* const hidden = columns_.hidden.block(first, scratch_);
       double* const moments = columns_.moments.block(first, scratch_ + columns_.hidden.block_size());
       if (kept) {
@@ -104,7 +96,7 @@ class NormalSums {
       }
       if (!moments_kept) MomentBlock(samples_, first, rows, moments);
       add(hidden, moments, rows);
-    }
+    });
     for (ProductSums* list : {&slopes_, &cross_, &outputs_}) list->finish();
   }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "proofmass/numeric/block_columns.hpp"
+#include "proofmass/numeric/kernel_scratch_internal.hpp"
 #include "proofmass/numeric/vector_type-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -141,6 +142,24 @@ class ProductSums {
   double* sums_ = nullptr;    // of each lane
   double* totals_ = nullptr;  // of all lanes
 };
+
+// Scratch memory for the sums of a pass, all zero, and what else it needs, which is returned.
+template <typename... Sums>
+double* LayOut(std::size_t more, Sums&... sums) {
+  const std::size_t size = (sums.storage() + ...);
+  double* next = kernel_scratch(size + more);
+  std::fill_n(next, size, 0.0);
+  ((sums.start(next), next += sums.storage()), ...);
+  return next;
+}
+
+// Calls body with the first row of each block and its rows.
+template <typename Body>
+HWY_INLINE void ForEachBlock(const Samples& samples, const Body& body) {
+  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
+    body(first, std::min(kBlockRows, samples.padded_rows() - first));
+  }
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace proofmass

@@ -49,4 +49,7 @@ class Samples {
   AlignedColumn mask_;
 };
 
+// The root mean square that a sum of squares over the samples comes to.
+[[nodiscard]] double root_mean(double sum_of_squares, const Samples& samples);
+
 }  // namespace proofmass

@@ -104,35 +104,33 @@ void ProjectBlock(const PerceptronShape& shape, const Samples& samples, std::siz
 // The columns of a block that variable projection needs, those of earlier passes found where they are kept.
 class SeparableColumns {
  public:
-  SeparableColumns(const SeparableNetwork& network, Kept kept, BlockColumns& columns, bool slopes)
+  SeparableColumns(const SeparableNetwork& network, SeparableState& state, bool slopes)
       : network_{network.shape, network.weights.data(), network.fixed},
         samples_(network.samples),
         transform_(network.transform),
-        columns_(columns),
+        state_(state),
         slopes_(slopes),
-        phi_(basis()) {
-    found(kept);
-  }
+        phi_(basis()) {}
 
   [[nodiscard]] std::size_t basis() const { return transform_.columns(); }
-  // What passes to come need not compute again, if columns are kept at all.
-  void found(Kept kept) { kept_ = columns_.keeps() ? kept : Kept::nothing; }
+  [[nodiscard]] bool keeps() const { return state_.columns.keeps(); }
   // In values.
-  [[nodiscard]] std::size_t scratch() const { return columns_.keeps() ? 0 : columns_.block_size(); }
+  [[nodiscard]] std::size_t scratch() const { return keeps() ? 0 : state_.columns.block_size(); }
   void start(double* scratch) { scratch_ = scratch; }
 
   void fill(std::size_t first, std::size_t rows) {
-    block_ = columns_.block(first, scratch_);
-    if (kept_ == Kept::derivatives) return;
+    const Kept kept = keeps() ? state_.kept : Kept::nothing;
+    block_ = state_.columns.block(first, scratch_);
+    if (kept == Kept::derivatives) return;
     hidden_ = {.activation = second() + kStride,
                .slope = slopes_ ? block_ + slope_at(0) : nullptr,
                .error = block_ + basis() * kStride};
-    if (kept_ == Kept::nothing) {
+    if (kept == Kept::nothing) {
       HiddenBlock(network_, samples_, first, rows, hidden_);
     } else {
       HiddenBlock<true>(network_, samples_, first, rows, hidden_);
     }
-    if (kept_ == Kept::basis) return;
+    if (kept == Kept::basis) return;
     for (std::size_t j = 0; j < network_.shape.hidden; ++j) phi_[j] = hidden_.activation + j * kStride;
     phi_[network_.shape.hidden] = samples_.mask_data() + first;
     for (std::size_t c = 0; c < network_.fixed.columns(); ++c) {
@@ -140,6 +138,9 @@ class SeparableColumns {
     }
     TransformBlock(phi_.data(), transform_, rows, block_);
   }
+
+  // After the last block: passes to come find what this one has filled.
+  void leave() { state_.kept = std::max(state_.kept, slopes_ ? Kept::derivatives : Kept::basis); }
 
   // Of the block filled last.
   [[nodiscard]] const double* q() const { return block_; }
@@ -156,8 +157,7 @@ class SeparableColumns {
   Network network_;
   const Samples& samples_;
   const Matrix& transform_;
-  Kept kept_ = Kept::nothing;
-  BlockColumns& columns_;
+  SeparableState& state_;
   bool slopes_;
   std::vector<const double*> phi_;
   double* scratch_ = nullptr;

@@ -5,34 +5,14 @@
 #define HWY_TARGET_INCLUDE "proofmass/numeric/separable_kernels.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target includes this file once for every instruction set; the next headers must come after it.
-#include "proofmass/numeric/kernel_scratch_internal.hpp"
 #include "proofmass/numeric/separable_columns-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// Scratch memory for the sums of a pass, all zero, and what else it needs, which is returned.
-template <typename... Sums>
-double* LayOut(std::size_t more, Sums&... sums) {
-  const std::size_t size = (sums.storage() + ...);
-  double* next = kernel_scratch(size + more);
-  std::fill_n(next, size, 0.0);
-  ((sums.start(next), next += sums.storage()), ...);
-  return next;
-}
-
-// Calls body with the first row of each block and its rows.
-template <typename Body>
-HWY_INLINE void ForEachBlock(const Samples& samples, const Body& body) {
-  for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {
-    body(first, std::min(kBlockRows, samples.padded_rows() - first));
-  }
-}
-
-void BasisSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns,
-               BasisProducts& products) {
-  SeparableColumns columns(network, kept, kept_columns, false);
+void BasisSums(const SeparableNetwork& network, SeparableState& state, BasisProducts& products) {
+  SeparableColumns columns(network, state, false);
   const std::size_t n = columns.basis();
   ProductSums sums(n + 1, n + 1, true);
   columns.start(LayOut(columns.scratch(), sums));
@@ -42,6 +22,7 @@ void BasisSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_co
     sums.right = columns.q();
     sums.add(rows);
   });
+  columns.leave();
   sums.finish();
   for (std::size_t c = 0; c < n; ++c) {
     for (std::size_t r = 0; r <= c; ++r) products.qq(r, c) = products.qq(c, r) = sums.total(r, c);
@@ -51,9 +32,9 @@ void BasisSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_co
 }
 
 // The slope of each unit with each input and one, times the columns of q.
-void CrossSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns, Matrix& dq) {
+void CrossSums(const SeparableNetwork& network, SeparableState& state, Matrix& dq) {
   const Samples& samples = network.samples;
-  SeparableColumns columns(network, kept, kept_columns, true);
+  SeparableColumns columns(network, state, true);
   const std::size_t inputs = network.shape.inputs;
   const std::size_t hidden = network.shape.hidden;
   ProductSums sums(hidden * (inputs + 1), columns.basis(), false);
@@ -69,15 +50,16 @@ void CrossSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_co
     sums.right = columns.q();
     sums.add(rows);
   });
+  columns.leave();
   sums.finish();
   for (std::size_t r = 0; r < sums.left.size(); ++r) {
     for (std::size_t c = 0; c < columns.basis(); ++c) dq(r, c) = sums.total(r, c);
   }
 }
 
-void ProjectedSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns,
-                   const Matrix& projection, Matrix& pp, double* pe) {
-  SeparableColumns columns(network, kept, kept_columns, true);
+void ProjectedSums(const SeparableNetwork& network, SeparableState& state, const Matrix& projection,
+                   Matrix& pp, double* pe) {
+  SeparableColumns columns(network, state, true);
   const std::size_t p = projection.columns();
   ProductSums sums(p, p + 1, true);
   double* const projected = LayOut((p + 1) * kStride + columns.scratch(), sums);  // P, then the error
@@ -91,6 +73,7 @@ void ProjectedSums(const SeparableNetwork& network, Kept kept, BlockColumns& kep
     std::copy_n(columns.error(), rows, projected + p * kStride);
     sums.add(rows);
   });
+  columns.leave();
   sums.finish();
   for (std::size_t c = 0; c < p; ++c) {
     for (std::size_t r = 0; r <= c; ++r) pp(r, c) = pp(c, r) = sums.total(r, c);
@@ -110,14 +93,15 @@ void SecondBasisSums(const SeparableNetwork& network, SeparableColumns& columns,
     sums.right = columns.q();
     sums.add(rows);
   });
+  columns.leave();
   sums.finish();
   for (std::size_t c = 0; c < columns.basis(); ++c) q_second[c] = sums.total(0, c);
 }
 
-void SecondSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_columns,
-                const double* direction, const Matrix& gram_inverse, double* d_second, double* q_second) {
+void SecondSums(const SeparableNetwork& network, SeparableState& state, const double* direction,
+                const Matrix& gram_inverse, double* d_second, double* q_second) {
   const Samples& samples = network.samples;
-  SeparableColumns columns(network, kept, kept_columns, true);
+  SeparableColumns columns(network, state, true);
   const std::size_t inputs = network.shape.inputs;
   const std::size_t hidden = network.shape.hidden;
   const std::size_t n = columns.basis();
@@ -126,12 +110,11 @@ void SecondSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_c
   for (std::size_t c = 0; c < n; ++c) {
     for (std::size_t r = 0; r < n; ++r) removed[r] += gram_inverse(r, c) * q_second[c];
   }
-  columns.found(Kept::derivatives);
   ProductSums by_weight(inputs + 1, hidden, false), by_output(1, n, false);
   columns.start(LayOut(columns.scratch(), by_weight, by_output));
   ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
-    if (!kept_columns.keeps()) SecondDerivative(network, direction, first, rows, columns);
+    if (!columns.keeps()) SecondDerivative(network, direction, first, rows, columns);
     SubtractColumns(columns.q(), removed, rows, columns.second());
     for (std::size_t k = 0; k < inputs; ++k) {
       by_weight.left[k] = {columns.second(), samples.input_data(k) + first};
@@ -143,6 +126,7 @@ void SecondSums(const SeparableNetwork& network, Kept kept, BlockColumns& kept_c
     by_output.right = columns.q();
     by_output.add(rows);
   });
+  columns.leave();
   by_weight.finish();
   by_output.finish();
   for (std::size_t j = 0; j < hidden; ++j) {
@@ -164,25 +148,24 @@ HWY_EXPORT(CrossSums);
 HWY_EXPORT(ProjectedSums);
 HWY_EXPORT(SecondSums);
 
-void sum_basis_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
-                        BasisProducts& products) {
-  HWY_DYNAMIC_DISPATCH(BasisSums)(network, kept, columns, products);
+void sum_basis_products(const SeparableNetwork& network, SeparableState& state, BasisProducts& products) {
+  HWY_DYNAMIC_DISPATCH(BasisSums)(network, state, products);
 }
 
-void sum_cross_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns, Matrix& dq) {
-  HWY_DYNAMIC_DISPATCH(CrossSums)(network, kept, columns, dq);
+void sum_cross_products(const SeparableNetwork& network, SeparableState& state, Matrix& dq) {
+  HWY_DYNAMIC_DISPATCH(CrossSums)(network, state, dq);
 }
 
-void sum_projected_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
-                            const Matrix& projection, Matrix& pp, std::span<double> pe) {
-  HWY_DYNAMIC_DISPATCH(ProjectedSums)(network, kept, columns, projection, pp, pe.data());
+void sum_projected_products(const SeparableNetwork& network, SeparableState& state, const Matrix& projection,
+                            Matrix& pp, std::span<double> pe) {
+  HWY_DYNAMIC_DISPATCH(ProjectedSums)(network, state, projection, pp, pe.data());
 }
 
-void sum_second_derivative(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+void sum_second_derivative(const SeparableNetwork& network, SeparableState& state,
                            std::span<const double> direction, const Matrix& gram_inverse,
                            std::span<double> d_second, std::span<double> q_second) {
   HWY_DYNAMIC_DISPATCH(SecondSums)
-  (network, kept, columns, direction.data(), gram_inverse, d_second.data(), q_second.data());
+  (network, state, direction.data(), gram_inverse, d_second.data(), q_second.data());
 }
 
 }  // namespace proofmass

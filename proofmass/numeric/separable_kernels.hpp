@@ -25,7 +25,7 @@ struct SeparableNetwork {
   const Matrix& transform;   // upper triangular, as many columns as phi
 };
 
-// What a pass finds of an earlier one, if the columns are kept at all.
+// What a pass finds of an earlier one, if columns are kept at all.
 enum class Kept {
   nothing,
   activations,  // of the same hidden weights
@@ -33,11 +33,16 @@ enum class Kept {
   derivatives   // and the error and the units' slopes, of the same output weights
 };
 
-// Columns that the kernels work with: q, error, second derivative, activations, slopes.
-[[nodiscard]] inline BlockColumns separable_columns(const PerceptronShape& shape, std::size_t fixed,
-                                                    const Samples& samples) {
-  return {shape.output_weights() + fixed + 2 + 2 * shape.hidden, samples.padded_rows()};
-}
+// Columns that the kernels work with: q, error, second derivative, activations, slopes; and what they hold,
+// which kernels add to. Who changes the network says what still holds.
+struct SeparableState {
+  SeparableState() = default;
+  SeparableState(const PerceptronShape& shape, std::size_t fixed, const Samples& samples)
+      : columns(shape.output_weights() + fixed + 2 + 2 * shape.hidden, samples.padded_rows()) {}
+
+  BlockColumns columns;
+  Kept kept = Kept::nothing;
+};
 
 // Sums over the samples.
 struct BasisProducts {
@@ -49,19 +54,18 @@ struct BasisProducts {
 };
 
 // Leaves the basis.
-void sum_basis_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
-                        BasisProducts& products);
+void sum_basis_products(const SeparableNetwork& network, SeparableState& state, BasisProducts& products);
 
 // dq = Dᵀq, hidden weights by columns of q. Leaves the derivatives.
-void sum_cross_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns, Matrix& dq);
+void sum_cross_products(const SeparableNetwork& network, SeparableState& state, Matrix& dq);
 
 // With P = D - q * projection: pp = PᵀP, pe = Pᵀe. Leaves the derivatives.
-void sum_projected_products(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
-                            const Matrix& projection, Matrix& pp, std::span<double> pe);
+void sum_projected_products(const SeparableNetwork& network, SeparableState& state, const Matrix& projection,
+                            Matrix& pp, std::span<double> pe);
 
 // With s the second derivative of the output along `direction` (of all weights), less its projection on q,
 // `gram_inverse` being (qᵀq)⁻¹: d_second = Dᵀs, q_second = qᵀs. Leaves the derivatives.
-void sum_second_derivative(const SeparableNetwork& network, Kept kept, BlockColumns& columns,
+void sum_second_derivative(const SeparableNetwork& network, SeparableState& state,
                            std::span<const double> direction, const Matrix& gram_inverse,
                            std::span<double> d_second, std::span<double> q_second);
 

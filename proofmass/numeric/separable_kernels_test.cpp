@@ -59,7 +59,7 @@ struct Case {
   }
 
   [[nodiscard]] SeparableNetwork network() const { return {shape, weights, samples, fixed, transform}; }
-  [[nodiscard]] BlockColumns columns() const { return separable_columns(shape, fixed.columns(), samples); }
+  [[nodiscard]] SeparableState state() const { return {shape, fixed.columns(), samples}; }
 
   [[nodiscard]] std::span<const double> output() const {
     return std::span(weights).subspan(shape.hidden_weights());
@@ -197,19 +197,31 @@ void expect_projected_products(const Case& c, const Matrix& dq, const Matrix& pp
   }
 }
 
+// Where the sums of a case go.
+struct Sums {
+  explicit Sums(const Case& c)
+      : basis(c.transform.columns()),
+        dq(c.shape.hidden_weights(), c.transform.columns()),
+        pp(c.shape.hidden_weights(), c.shape.hidden_weights()),
+        pe(c.shape.hidden_weights()) {}
+
+  BasisProducts basis;
+  Matrix dq, pp;
+  std::vector<double> pe;
+};
+
 TEST_P(HiddenKernels, ProductsAreThoseOfTheColumns) {
   for (const Case& c : cases(2)) {
     SCOPED_TRACE(describe(c));
-    BlockColumns columns = c.columns();
-    const std::size_t p = c.shape.hidden_weights();
-    BasisProducts basis(c.transform.columns());
-    Matrix dq(p, c.transform.columns()), pp(p, p);
-    std::vector<double> pe(p);
-    sum_projected_products(c.network(), Kept::nothing, columns, c.projection, pp, pe);
-    sum_cross_products(c.network(), Kept::nothing, columns, dq);
-    sum_basis_products(c.network(), Kept::nothing, columns, basis);
-    expect_basis_products(c, basis);
-    expect_projected_products(c, dq, pp, pe);
+    SeparableState state = c.state();
+    Sums sums(c);
+    sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe);
+    state.kept = Kept::nothing;
+    sum_cross_products(c.network(), state, sums.dq);
+    state.kept = Kept::nothing;
+    sum_basis_products(c.network(), state, sums.basis);
+    expect_basis_products(c, sums.basis);
+    expect_projected_products(c, sums.dq, sums.pp, sums.pe);
   }
 }
 
@@ -218,40 +230,37 @@ TEST_P(HiddenKernels, ProductsAreThoseOfTheColumns) {
 TEST_P(HiddenKernels, ProductsAreTheSameOfColumnsKept) {
   for (Case& c : cases(3)) {
     SCOPED_TRACE(describe(c));
-    BlockColumns columns = c.columns();
-    ASSERT_TRUE(columns.keeps());
-    const std::size_t p = c.shape.hidden_weights();
-    BasisProducts basis(c.transform.columns());
-    Matrix dq(p, c.transform.columns()), pp(p, p);
-    std::vector<double> pe(p);
-    sum_basis_products(c.network(), Kept::nothing, columns, basis);
+    SeparableState state = c.state();
+    ASSERT_TRUE(state.columns.keeps());
+    Sums sums(c);
+    sum_basis_products(c.network(), state, sums.basis);
+    EXPECT_EQ(state.kept, Kept::basis);
     for (std::size_t k = 0; k < c.transform.columns(); ++k) c.transform(0, k) += 0.25;
-    sum_basis_products(c.network(), Kept::activations, columns, basis);
-    expect_basis_products(c, basis);
+    state.kept = Kept::activations;
+    sum_basis_products(c.network(), state, sums.basis);
+    expect_basis_products(c, sums.basis);
     for (std::size_t k = c.shape.hidden_weights(); k < c.weights.size(); ++k) c.weights[k] *= -1.5;
-    sum_basis_products(c.network(), Kept::basis, columns, basis);
-    expect_basis_products(c, basis);
+    sum_basis_products(c.network(), state, sums.basis);
+    expect_basis_products(c, sums.basis);
     c.weights.back() += 1.0;
-    sum_cross_products(c.network(), Kept::basis, columns, dq);
-    sum_projected_products(c.network(), Kept::derivatives, columns, c.projection, pp, pe);
-    expect_projected_products(c, dq, pp, pe);
+    sum_cross_products(c.network(), state, sums.dq);
+    EXPECT_EQ(state.kept, Kept::derivatives);
+    sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe);
+    expect_projected_products(c, sums.dq, sums.pp, sums.pe);
   }
 }
 
 TEST_P(HiddenKernels, ProductsOfMoreSamplesThanAreKept) {
   RandomStream random(5);
-  Case c({.inputs = 3, .hidden = 7}, 30000, 0, random);
-  BlockColumns columns = c.columns();
-  ASSERT_FALSE(columns.keeps());
-  const std::size_t p = c.shape.hidden_weights();
-  BasisProducts basis(c.transform.columns());
-  Matrix dq(p, c.transform.columns()), pp(p, p);
-  std::vector<double> pe(p);
-  sum_basis_products(c.network(), Kept::nothing, columns, basis);
-  sum_cross_products(c.network(), Kept::basis, columns, dq);
-  sum_projected_products(c.network(), Kept::derivatives, columns, c.projection, pp, pe);
-  expect_basis_products(c, basis);
-  expect_projected_products(c, dq, pp, pe);
+  const Case c({.inputs = 3, .hidden = 7}, 30000, 0, random);
+  SeparableState state = c.state();
+  ASSERT_FALSE(state.columns.keeps());
+  Sums sums(c);
+  sum_basis_products(c.network(), state, sums.basis);
+  sum_cross_products(c.network(), state, sums.dq);
+  sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe);
+  expect_basis_products(c, sums.basis);
+  expect_projected_products(c, sums.dq, sums.pp, sums.pe);
 }
 
 TEST_P(HiddenKernels, SecondDerivativeIsThatOfTheScalarNetwork) {
@@ -287,10 +296,11 @@ TEST_P(HiddenKernels, SecondDerivativeIsThatOfTheScalarNetwork) {
         }
       }
     }
-    BlockColumns columns = c.columns();
+    SeparableState state = c.state();
     std::vector<double> d_second(c.shape.hidden_weights()), q_second(n);
     for (const Kept kept : {Kept::nothing, Kept::derivatives}) {
-      sum_second_derivative(c.network(), kept, columns, direction, inverse, d_second, q_second);
+      state.kept = kept;
+      sum_second_derivative(c.network(), state, direction, inverse, d_second, q_second);
       expect_products(c.jacobian(), second, column(d_second), "d");
       expect_products(q, second, column(q_second), "q");
     }

@@ -53,8 +53,6 @@ constexpr double kIndependent = 1e-12;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 16.0 * kEpsilon;
 
-const ColumnBlock kNoColumns;
-
 // Leaves a column out of the transform; in the Gram matrix it stands as one of its own.
 void leave_out(Eigen::Index c, Eigen::Ref<Eigen::MatrixXd> transform, Eigen::Ref<Eigen::MatrixXd> gram) {
   transform.col(c).setZero();
@@ -113,7 +111,7 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
     solution->transform = Matrix(n, n);
     solution->gram_inverse = Matrix(n, n);
     solution->output_weights.assign(n, 0.0);
-    solution->columns = separable_columns(shape, fixed.columns(), samples);
+    solution->state = SeparableState(shape, fixed.columns(), samples);
     view(solution->transform).setIdentity();
   }
 }
@@ -124,21 +122,27 @@ std::vector<double> SeparablePerceptron::all_weights(const Solution& solution) {
   return weights;
 }
 
+SeparableNetwork SeparablePerceptron::network(std::span<const double> weights,
+                                              const Matrix& transform) const {
+  return {shape_, weights, samples_, fixed_, transform};
+}
+
 void SeparablePerceptron::sum_products(Solution& solution) {
   const std::vector<double> weights = all_weights(solution);
-  sum_basis_products({shape_, weights, samples_, fixed_, solution.transform}, solution.kept, solution.columns,
-                     products_);
-  solution.kept = Kept::basis;
+  sum_basis_products(network(weights, solution.transform), solution.state, products_);
   for (std::size_t c = 0; c < columns(); ++c) {
     if (solution.transform(c, c) == 0.0) products_.qq(c, c) = 1.0;  // left out before
   }
 }
 
-template <typename Pass>
-void SeparablePerceptron::pass_over_current(const Pass& pass) {
-  const std::vector<double> weights = all_weights(current_);
-  pass(SeparableNetwork{shape_, weights, samples_, fixed_, current_.transform});
-  current_.kept = Kept::derivatives;
+void SeparablePerceptron::orthonormalise(Solution& solution) {
+  const auto factor = factorise_independent(view(solution.transform), view(products_.qq),
+                                            std::sqrt(static_cast<double>(samples_.rows())));
+  factor.matrixU().solveInPlace<Eigen::OnTheRight>(view(solution.transform));
+  solution.state.kept = Kept::activations;
+  for (std::size_t k = 0; k < columns(); ++k) {
+    if (solution.transform(k, k) == 0.0) solution.output_weights[k] = 0.0;
+  }
 }
 
 double SeparablePerceptron::solve(std::span<const double> hidden_weights, double tolerance,
@@ -149,7 +153,7 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
   restore_dropped(view(solution.transform));
   Eigen::Map<Eigen::VectorXd> c(solution.output_weights.data(), size);
   double sum = 0.0;
-  solution.kept = Kept::nothing;
+  solution.state.kept = Kept::nothing;
   // Each pass finds the error e of the weights so far, and the weights' correction from its normal equations
   // on q: Newton's iteration for a linear problem, which ends when rounding no longer matters. Columns that
   // are badly conditioned are first made orthogonal by Cholesky QR (Yamamoto et al. 2015). From a good guess
@@ -160,7 +164,7 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
       c.setZero();  // nobody may start from such weights
       return std::numeric_limits<double>::infinity();
     }
-    Eigen::LLT<Eigen::MatrixXd> factor = factorise(view(products_.qq));
+    const Eigen::LLT<Eigen::MatrixXd> factor = factorise(view(products_.qq));
     const bool factored = factor.info() == Eigen::Success;
     if (factored) {
       view(solution.gram_inverse) = factor.solve(Eigen::MatrixXd::Identity(size, size));
@@ -175,13 +179,7 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
     const double condition = factored ? condition_of(factor) : std::numeric_limits<double>::infinity();
     if (kEpsilon * condition * condition * products_.ee <= tolerance * sum) break;
     if (condition < kWellConditioned || !factored || pass > kPasses / 2) continue;
-    factor = factorise_independent(view(solution.transform), view(products_.qq),
-                                   std::sqrt(static_cast<double>(samples_.rows())));
-    factor.matrixU().solveInPlace<Eigen::OnTheRight>(view(solution.transform));
-    solution.kept = Kept::activations;
-    for (Eigen::Index k = 0; k < size; ++k) {
-      if (cview(solution.transform)(k, k) == 0.0) c(k) = 0.0;
-    }
+    orthonormalise(solution);
   }
   // Output weights so large that rounding alone moves the output by as much as the residual would make any
   // residual, zero included, meaningless: what rounding may hide counts as error.
@@ -220,13 +218,11 @@ void SeparablePerceptron::accept() {
 // millionth of it: PᵀP from DᵀD and Dᵀq would be rounding. So a first pass finds C, a second sums what is
 // left; what rounding has left of q in it is a millionth of that again.
 void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
-  pass_over_current([&](const SeparableNetwork& network) {
-    sum_cross_products(network, current_.kept, current_.columns, cross_);
-  });
+  const std::vector<double> weights = all_weights(current_);
+  const SeparableNetwork here = network(weights, current_.transform);
+  sum_cross_products(here, current_.state, cross_);
   view(projection_).noalias() = cview(current_.gram_inverse) * cview(cross_).transpose();
-  pass_over_current([&](const SeparableNetwork& network) {
-    sum_projected_products(network, current_.kept, current_.columns, projection_, normal, pe_);
-  });
+  sum_projected_products(here, current_.state, projection_, normal, pe_);
   std::transform(pe_.begin(), pe_.end(), gradient.begin(), std::negate<>());
   linearised_ = true;
 }
@@ -255,9 +251,9 @@ bool SeparablePerceptron::curvature(std::span<const double> direction, std::span
       transform * (cview(current_.gram_inverse) * (transform.transpose() * moved) - cview(projection_) * v);
 
   std::vector<double> qs(columns());
-  pass_over_current([&](const SeparableNetwork& network) {
-    sum_second_derivative(network, current_.kept, current_.columns, along, current_.gram_inverse, result, qs);
-  });
+  const std::vector<double> weights = all_weights(current_);
+  sum_second_derivative(network(weights, current_.transform), current_.state, along, current_.gram_inverse,
+                        result, qs);
   const Eigen::Map<const Eigen::VectorXd> q_second(qs.data(), n);
   Eigen::Map<Eigen::VectorXd> second(result.data(), p);
   second -= cview(projection_).transpose() * q_second;

@@ -46,8 +46,7 @@ class SeparablePerceptron final : public SumOfSquares {
     std::vector<double> output_weights;
     Matrix transform;     // upper triangular: phi * transform = q spans what phi does, well conditioned
     Matrix gram_inverse;  // (qᵀq)⁻¹
-    BlockColumns columns;
-    Kept kept = Kept::nothing;  // in the columns
+    SeparableState state;
   };
 
   // Hidden units, bias and fixed columns.
@@ -56,10 +55,10 @@ class SeparablePerceptron final : public SumOfSquares {
   // of squares is below the tolerance.
   double solve(std::span<const double> hidden_weights, double tolerance, Solution& solution);
   [[nodiscard]] static std::vector<double> all_weights(const Solution& solution);
+  [[nodiscard]] SeparableNetwork network(std::span<const double> weights, const Matrix& transform) const;
   void sum_products(Solution& solution);
-  // Calls pass(network) for the current point, of which the pass leaves the derivatives.
-  template <typename Pass>
-  void pass_over_current(const Pass& pass);
+  // Makes q orthonormal to rounding, by the products of the last pass.
+  void orthonormalise(Solution& solution);
   // Output weights that the linearisation at the current point expects elsewhere.
   void predict(std::span<const double> hidden_weights, std::vector<double>& output_weights) const;
 

@@ -31,10 +31,8 @@ double plain_residual(const Matrix& design, std::span<const double> y, std::span
 
 WeightedFit solve_weighted_least_squares(const Matrix& design, std::span<const double> y,
                                          std::span<const double> weights) {
-  if (weights.size() != design.rows() || y.size() != design.rows()) {
-    throw std::invalid_argument("weighted least squares needs one weight and one y a row");
-  }
   require_weights(weights, design.rows());
+  if (y.size() != design.rows()) throw std::invalid_argument("weighted least squares needs one y a row");
   const std::vector<double> factors = row_factors(weights);
   Matrix scaled = design;
   std::vector<double> right(y.begin(), y.end());
