@@ -15,23 +15,35 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// Column j, from row `first` on, less the products of the columns before it: kVectors vectors of rows.
+// Column j, from row `first` on, less the products of the columns before it: kVectors vectors of rows. Every
+// other column goes to sums of its own, so that fewer products wait for the one before.
 template <std::size_t kVectors>
 HWY_INLINE void Eliminate(double* matrix, std::size_t stride, std::size_t j, std::size_t first) {
-  double* const column = matrix + j * stride;
-  V rest[kVectors];
+  double* const column = matrix + j * stride + first;
+  V rest[2][kVectors];
 #pragma GCC unroll 8
-  for (std::size_t i = 0; i < kVectors; ++i) rest[i] = hn::Load(kD, column + first + i * kLanes);
-  const double* earlier = matrix;
-  for (std::size_t k = 0; k < j; ++k, earlier += stride) {
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    rest[0][i] = hn::Load(kD, column + i * kLanes);
+    rest[1][i] = hn::Zero(kD);
+  }
+  const auto subtract = [&](std::size_t k, V(&sums)[kVectors]) HWY_ATTR {
+    const double* const earlier = matrix + k * stride;
     const V factor = hn::Set(kD, earlier[j]);
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < kVectors; ++i) {
-      rest[i] = hn::NegMulAdd(factor, hn::Load(kD, earlier + first + i * kLanes), rest[i]);
+      sums[i] = hn::NegMulAdd(factor, hn::Load(kD, earlier + first + i * kLanes), sums[i]);
     }
+  };
+  std::size_t k = 0;
+  for (; k + 2 <= j; k += 2) {
+    subtract(k, rest[0]);
+    subtract(k + 1, rest[1]);
   }
+  if (k < j) subtract(k, rest[0]);
 #pragma GCC unroll 8
-  for (std::size_t i = 0; i < kVectors; ++i) hn::Store(rest[i], kD, column + first + i * kLanes);
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    hn::Store(hn::Add(rest[0][i], rest[1][i]), kD, column + i * kLanes);
+  }
 }
 
 // n³ / 6 multiplications, and half a vector more for each pair of columns: the sums of a column stay in

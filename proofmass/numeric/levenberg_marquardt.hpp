@@ -24,7 +24,7 @@ class SumOfSquares {
   virtual double evaluate(std::span<const double> x) = 0;
   // The trial point becomes the current one.
   virtual void accept() = 0;
-  // JᵀJ and Jᵀr at the current point, J = dr/dx.
+  // The lower triangle of JᵀJ, and Jᵀr, at the current point, J = dr/dx.
   virtual void linearise(Matrix& normal, std::span<double> gradient) = 0;
   // Jᵀ d²r/dt² along x + t * direction at the current point, after linearise. Returns false when the problem
   // cannot tell.

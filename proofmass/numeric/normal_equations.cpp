@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "proofmass/numeric/cholesky_kernel.hpp"
 #include "proofmass/numeric/linearised_sum_internal.hpp"
@@ -8,9 +9,7 @@ namespace proofmass {
 namespace {
 
 using Vector = Eigen::VectorXd;
-// A view of a padded matrix, constant or not.
-template <typename M>
-using Padded = Eigen::Map<M, Eigen::Unaligned, Eigen::OuterStride<>>;
+using Padded = Eigen::Map<const Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
 
 class NormalEquations final : public LinearisedSum {
  public:
@@ -32,9 +31,10 @@ class NormalEquations final : public LinearisedSum {
 
   bool factor(const Vector& damping) override {
     damping_ = damping;
-    Padded<Eigen::MatrixXd> damped(factor_.values.data(), n_, n_, stride());
-    damped = normal();
-    damped.diagonal() += damping;
+    for (std::size_t c = 0; c < factor_.n; ++c) {
+      std::copy_n(&normal_(c, c), factor_.n - c, factor_.column(c) + c);
+      factor_.column(c)[c] += damping(static_cast<Eigen::Index>(c));
+    }
     return cholesky_in_place(factor_);
   }
   [[nodiscard]] Vector velocity() const override { return solve(gradient_); }
@@ -54,19 +54,17 @@ class NormalEquations final : public LinearisedSum {
  private:
   [[nodiscard]] std::span<double> view(Vector& v) const { return {v.data(), problem_.parameters()}; }
   [[nodiscard]] Eigen::Map<const Eigen::MatrixXd> normal() const { return {normal_.data(), n_, n_}; }
-  [[nodiscard]] Eigen::OuterStride<> stride() const {
-    return Eigen::OuterStride<>(static_cast<Eigen::Index>(factor_.stride));
-  }
   // The solution for -b.
   [[nodiscard]] Vector solve(const Vector& b) const {
-    const Padded<const Eigen::MatrixXd> factor(factor_.values.data(), n_, n_, stride());
+    const auto stride = static_cast<Eigen::Index>(factor_.stride);
+    const Padded factor(factor_.values.data(), n_, n_, Eigen::OuterStride<>(stride));
     const auto triangle = factor.triangularView<Eigen::Lower>();
     return -triangle.transpose().solve(triangle.solve(b));
   }
 
   SumOfSquares& problem_;
   Eigen::Index n_;
-  Matrix normal_;
+  Matrix normal_;  // the lower triangle
   Vector gradient_, damping_;
   PaddedSquare factor_;
 };

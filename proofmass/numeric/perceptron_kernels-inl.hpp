@@ -33,13 +33,21 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// A network whose output is linear in further columns: all its weights, those of the fixed columns last.
+// A network whose output is linear in further columns: all its weights, those of the fixed columns last, and
+// the hidden ones once more, scaled so that arguments are exponents of two.
 struct Network {
-  const PerceptronShape& shape;
-  const double* weights;
-  const ColumnBlock& fixed;
+  Network(const PerceptronShape& the_shape, const double* all_weights, const ColumnBlock& fixed_columns)
+      : shape(the_shape),
+        output(all_weights + the_shape.hidden_weights()),
+        fixed(fixed_columns),
+        exponents(the_shape.hidden_weights()) {
+    std::transform(all_weights, output, exponents.begin(), [](double w) { return kPowerOfTwo * w; });
+  }
 
-  [[nodiscard]] const double* output() const { return weights + shape.hidden_weights(); }
+  const PerceptronShape& shape;
+  const double* output;
+  const ColumnBlock& fixed;
+  std::vector<double> exponents;
 };
 
 // Calls body with the number of inputs as a constant where it is a usual one, so that loops over inputs
@@ -63,14 +71,14 @@ HWY_INLINE void WithInputs(std::size_t inputs, const Body& body) {
 constexpr std::size_t kTogether = 4;
 constexpr std::size_t kTogetherForward = HWY_TARGET <= HWY_AVX3 ? 6 : 4;
 
-// Calls body with kMost for as many vectors of rows as there are, and with 1 for the rest.
+// Calls body with the first row and kMost for as many vectors of rows as there are, then with half of it, and
+// so on down to 1: a vector by itself would wait for each of its steps.
 template <std::size_t kMost = kTogether, typename Body>
-HWY_INLINE void ForRows(std::size_t rows, const Body& body) {
-  std::size_t row = 0;
+HWY_INLINE void ForRows(std::size_t rows, const Body& body, std::size_t row = 0) {
   for (; row + kMost * kLanes <= rows; row += kMost * kLanes) {
     body(row, std::integral_constant<std::size_t, kMost>());
   }
-  for (; row < rows; row += kLanes) body(row, std::integral_constant<std::size_t, 1>());
+  if constexpr (kMost > 1) ForRows<kMost / 2>(rows, body, row);
 }
 
 // z = weighted sum of the inputs of the rows from `row` on plus the bias, the argument of one hidden unit.
@@ -96,8 +104,9 @@ HWY_INLINE void ClearPadding(double* column, std::size_t real, std::size_t rows)
 // What a pass works with in a block of rows.
 struct HiddenColumns {
   double* activation = nullptr;  // one column a unit
-  double* slope = nullptr;       // v (1 - activation²), one column a unit; null where not wanted
+  double* slope = nullptr;       // 1 - activation², one column a unit; null where not wanted
   double* error = nullptr;       // target less output; null where not wanted
+  bool weighted = false;         // slopes are times the unit's output weight
 };
 
 // Fills the columns for kVectors vectors of rows of a block, the first of them `at` within it and `first +
@@ -106,7 +115,7 @@ template <bool kKept, std::size_t kInputs, std::size_t kVectors>
 HWY_INLINE void HiddenRows(const Network& network, const Samples& samples, std::size_t first, std::size_t at,
                            const HiddenColumns& columns) {
   const PerceptronShape& shape = network.shape;
-  const double* const v = network.output();
+  const double* const v = network.output;
   V error[kVectors];
   Each<kVectors>([&](std::size_t i) HWY_ATTR {
     error[i] =
@@ -118,17 +127,17 @@ HWY_INLINE void HiddenRows(const Network& network, const Samples& samples, std::
     if constexpr (kKept) {
       Each<kVectors>([&](std::size_t i) HWY_ATTR { h[i] = hn::LoadU(kD, activation + i * kLanes); });
     } else {
-      HiddenArgument<kInputs>(shape, network.weights, j, samples, first + at, h);
-      Tanh(h);
+      HiddenArgument<kInputs>(shape, network.exponents.data(), j, samples, first + at, h);
+      TanhOfPower<true>(h);
       Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(h[i], kD, activation + i * kLanes); });
     }
     const V weight = hn::Set(kD, v[j]);
     Each<kVectors>([&](std::size_t i) HWY_ATTR { error[i] = hn::NegMulAdd(weight, h[i], error[i]); });
     if (columns.slope == nullptr) continue;
     double* const slope = columns.slope + j * kStride + at;
-    Each<kVectors>([&](std::size_t i) HWY_ATTR {
-      hn::StoreU(hn::Mul(weight, hn::NegMulAdd(h[i], h[i], hn::Set(kD, 1.0))), kD, slope + i * kLanes);
-    });
+    Each<kVectors>([&](std::size_t i) HWY_ATTR { h[i] = hn::NegMulAdd(h[i], h[i], hn::Set(kD, 1.0)); });
+    if (columns.weighted) Each<kVectors>([&](std::size_t i) HWY_ATTR { h[i] = hn::Mul(weight, h[i]); });
+    Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(h[i], kD, slope + i * kLanes); });
   }
   for (std::size_t c = 0; c < network.fixed.columns(); ++c) {
     const double* const column = network.fixed.column(c) + first + at;

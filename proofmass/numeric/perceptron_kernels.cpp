@@ -31,15 +31,15 @@ void TanhOf(const double* z, std::size_t size, double* result) {
 
 // The outputs of kVectors vectors of rows from `row` on.
 template <std::size_t kInputs, std::size_t kVectors>
-HWY_INLINE void OutputRows(const PerceptronShape& shape, const double* weights, const Samples& samples,
-                           std::size_t row, V (&output)[kVectors]) {
-  const double* const v = weights + shape.hidden_weights();
-  Each<kVectors>([&](std::size_t i) HWY_ATTR { output[i] = hn::Set(kD, v[shape.hidden]); });
-  for (std::size_t j = 0; j < shape.hidden; ++j) {
+HWY_INLINE void OutputRows(const Network& network, const Samples& samples, std::size_t row,
+                           V (&output)[kVectors]) {
+  const std::size_t hidden = network.shape.hidden;
+  Each<kVectors>([&](std::size_t i) HWY_ATTR { output[i] = hn::Set(kD, network.output[hidden]); });
+  for (std::size_t j = 0; j < hidden; ++j) {
     V h[kVectors];
-    HiddenArgument<kInputs>(shape, weights, j, samples, row, h);
+    HiddenArgument<kInputs>(network.shape, network.exponents.data(), j, samples, row, h);
     TanhOfPower<false>(h);
-    const V weight = hn::Set(kD, v[j]);
+    const V weight = hn::Set(kD, network.output[j]);
     Each<kVectors>([&](std::size_t i) HWY_ATTR { output[i] = hn::MulAdd(weight, h[i], output[i]); });
   }
 }
@@ -47,15 +47,12 @@ HWY_INLINE void OutputRows(const PerceptronShape& shape, const double* weights, 
 // Returns the sum of squared errors; stores the outputs unless null.
 double Forward(const PerceptronShape& shape, const double* weights, const Samples& samples, double* outputs) {
   V sums = hn::Zero(kD);
-  const std::size_t hidden_weights = shape.hidden_weights();
-  double* const scaled = kernel_scratch(shape.parameters());
-  for (std::size_t k = 0; k < hidden_weights; ++k) scaled[k] = kPowerOfTwo * weights[k];
-  std::copy_n(weights + hidden_weights, shape.output_weights(), scaled + hidden_weights);
+  const Network network{shape, weights, kNoColumns};
   WithInputs(shape.inputs, [&](auto inputs) HWY_ATTR {
     ForRows<kTogetherForward>(samples.padded_rows(), [&](std::size_t row, auto together) HWY_ATTR {
       constexpr std::size_t kVectors = decltype(together)::value;
       V output[kVectors];
-      OutputRows<decltype(inputs)::value>(shape, scaled, samples, row, output);
+      OutputRows<decltype(inputs)::value>(network, samples, row, output);
       Each<kVectors>([&](std::size_t i) HWY_ATTR {
         const std::size_t at = row + i * kLanes;
         if (outputs != nullptr) hn::StoreU(output[i], kD, outputs + at);
@@ -70,12 +67,13 @@ double Forward(const PerceptronShape& shape, const double* weights, const Sample
 
 void Activations(const PerceptronShape& shape, const double* weights, const Samples& samples,
                  ColumnBlock& phi) {
+  const Network network{shape, weights, kNoColumns};
   for (std::size_t j = 0; j < shape.hidden; ++j) {
     ForRows(samples.padded_rows(), [&](std::size_t row, auto together) HWY_ATTR {
       constexpr std::size_t kVectors = decltype(together)::value;
       V h[kVectors];
-      HiddenArgument<0>(shape, weights, j, samples, row, h);
-      Tanh(h);
+      HiddenArgument<0>(shape, network.exponents.data(), j, samples, row, h);
+      TanhOfPower<true>(h);
       Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(h[i], kD, phi.column(j) + row + i * kLanes); });
     });
     ClearPadding(phi.column(j), samples.rows(), samples.padded_rows());

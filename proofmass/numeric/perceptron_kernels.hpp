@@ -46,10 +46,10 @@ void perceptron_outputs(const PerceptronShape& shape, std::span<const double> we
 // Columns that passes over a network's samples leave for later ones, where they are few enough to be kept.
 struct PerceptronColumns {
   PerceptronColumns(const PerceptronShape& shape, const Samples& samples)
-      : hidden(shape.hidden + 2, samples.padded_rows()),
-        moments((shape.inputs + 1) * (shape.inputs + 2) / 2, samples.padded_rows()) {}
+      : hidden(2 * shape.hidden + 1, samples.padded_rows()),
+        moments(shape.inputs * (shape.inputs + 3) / 2, samples.padded_rows()) {}
 
-  BlockColumns hidden;         // activations, ones, errors
+  BlockColumns hidden;         // activations, errors, slopes
   BlockColumns moments;        // products of inputs, which are the same for all networks
   bool moments_known = false;  // to the passes to come
 };
@@ -58,8 +58,8 @@ struct PerceptronColumns {
 [[nodiscard]] double perceptron_sse(const PerceptronShape& shape, std::span<const double> weights,
                                     const Samples& samples, PerceptronColumns& columns);
 
-// One pass: with J the Jacobian of the outputs by all weights and e = target - output, fills the upper
-// triangle and mirror of JᵀJ (parameters() square) and Jᵀe, and returns eᵀe. `kept`: whether the last pass
+// One pass: with J the Jacobian of the outputs by all weights and e = target - output, fills the lower
+// triangle of JᵀJ (parameters() square) and Jᵀe, and returns eᵀe. `kept`: whether the last pass
 // that left activations and errors had the same weights.
 double perceptron_normal_equations(const PerceptronShape& shape, std::span<const double> weights,
                                    const Samples& samples, bool kept, PerceptronColumns& columns, Matrix& jtj,

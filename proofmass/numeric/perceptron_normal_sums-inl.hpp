@@ -20,8 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// Products of the inputs two and two, each input taken last being one: x_1 x_1, x_1 x_2, … x_1, x_2 x_2, …
-// x_I, 1.
+// Products of the inputs two and two, each input also taken alone: x_1 x_1, x_1 x_2, … x_1, x_2 x_2, … x_I.
 void MomentBlock(const Samples& samples, std::size_t first, std::size_t rows, double* moments) {
   for (std::size_t k = 0; k < samples.inputs(); ++k) {
     const double* const x = samples.input_data(k) + first;
@@ -34,16 +33,14 @@ void MomentBlock(const Samples& samples, std::size_t first, std::size_t rows, do
     std::copy_n(x, rows, moments);
     moments += kStride;
   }
-  std::copy_n(samples.mask_data() + first, rows, moments);
 }
 
-// Activations, ones and error of a block, one after the other, and slopes unless null.
+// Activations, error and slopes of a block, one after the other.
 void HiddenOutputBlock(const Network& network, const Samples& samples, std::size_t first, std::size_t rows,
-                       double* hidden, double* slopes) {
-  double* const ones = hidden + network.shape.hidden * kStride;
+                       double* hidden) {
+  double* const error = hidden + network.shape.hidden * kStride;
   HiddenBlock(network, samples, first, rows,
-              {.activation = hidden, .slope = slopes, .error = ones + kStride});
-  std::copy_n(samples.mask_data() + first, rows, ones);
+              {.activation = hidden, .slope = error + kStride, .error = error});
 }
 
 // The sum of squared errors, in a pass that leaves activations and errors.
@@ -53,8 +50,8 @@ double KeepingForward(const PerceptronShape& shape, const double* weights, const
   V sums = hn::Zero(kD);
   ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     double* const hidden = columns.block(first, nullptr);
-    HiddenOutputBlock(network, samples, first, rows, hidden, nullptr);
-    const double* const error = hidden + (network.shape.hidden + 1) * kStride;
+    HiddenOutputBlock(network, samples, first, rows, hidden);
+    const double* const error = hidden + network.shape.hidden * kStride;
     for (std::size_t at = 0; at < rows; at += kLanes) {
       const V e = hn::LoadU(kD, error + at);
       sums = hn::MulAdd(e, e, sums);
@@ -64,8 +61,8 @@ double KeepingForward(const PerceptronShape& shape, const double* weights, const
 }
 
 // The sums that make up JᵀJ, Jᵀe and eᵀe, and the columns of a block that they are taken over. As every
-// derivative by a hidden weight is a unit's slope times an input or one, products of two slopes and of two
-// inputs serve for many elements each.
+// derivative by a hidden weight is a unit's output weight and slope times an input or one, products of two
+// slopes and of two inputs serve for many elements each.
 class NormalSums {
  public:
   NormalSums(const Network& network, const Samples& samples, PerceptronColumns& columns)
@@ -74,12 +71,12 @@ class NormalSums {
         columns_(columns),
         inputs_(network.shape.inputs),
         hidden_(network.shape.hidden),
-        slopes_(hidden_ * (hidden_ + 1) / 2, (inputs_ + 1) * (inputs_ + 2) / 2, false),
-        cross_(hidden_ * (inputs_ + 1), hidden_ + 2, false),
-        outputs_(hidden_ + 2, hidden_ + 2, true) {
-    slope_ = LayOut(hidden_ * kStride + columns.hidden.block_size() + columns.moments.block_size(), slopes_,
-                    cross_, outputs_);
-    scratch_ = slope_ + hidden_ * kStride;
+        slopes_(hidden_ * (hidden_ + 1) / 2, moment(inputs_, inputs_), false, WithOnes::yes),
+        weights_(hidden_ * inputs_, hidden_ + 1, false, WithOnes::yes),
+        biases_(hidden_, hidden_ + 1, false, WithOnes::yes),
+        outputs_(hidden_ + 1, hidden_ + 1, true, WithOnes::yes) {
+    scratch_ = LayOut(columns.hidden.block_size() + columns.moments.block_size(), slopes_, weights_, biases_,
+                      outputs_);
   }
 
   // `kept`: whether activations and errors are there already.
@@ -89,49 +86,48 @@ class NormalSums {
     ForEachBlock(samples_, [&](std::size_t first, std::size_t rows) HWY_ATTR {
       double* const hidden = columns_.hidden.block(first, scratch_);
       double* const moments = columns_.moments.block(first, scratch_ + columns_.hidden.block_size());
-      if (kept) {
-        HiddenBlock<true>(network_, samples_, first, rows, {.activation = hidden, .slope = slope_});
-      } else {
-        HiddenOutputBlock(network_, samples_, first, rows, hidden, slope_);
-      }
+      if (!kept) HiddenOutputBlock(network_, samples_, first, rows, hidden);
       if (!moments_kept) MomentBlock(samples_, first, rows, moments);
       add(hidden, moments, rows);
     });
-    for (ProductSums* list : {&slopes_, &cross_, &outputs_}) list->finish();
+    for (ProductSums* list : {&slopes_, &weights_, &biases_, &outputs_}) list->finish();
   }
 
-  // Returns eᵀe.
+  // Fills the lower triangle of JᵀJ; returns eᵀe.
   double store(Matrix& jtj, double* jte) const {
     const std::size_t first = network_.shape.hidden_weights();
-    for (std::size_t c = 0; c <= hidden_; ++c) {
-      for (std::size_t r = 0; r <= c; ++r) {
-        jtj(first + r, first + c) = jtj(first + c, first + r) = outputs_.total(r, c);
-      }
-      jte[first + c] = outputs_.total(c, hidden_ + 1);
-    }
+    const std::size_t bias = first + hidden_;
     for (std::size_t j = 0; j < hidden_; ++j) {
-      for (std::size_t k = 0; k <= inputs_; ++k) store_row(j, k, jtj, jte);
+      for (std::size_t k = 0; k < inputs_; ++k) store_row(j, k, weights_, j * inputs_ + k, jtj, jte);
+      store_row(j, inputs_, biases_, j, jtj, jte);
+      for (std::size_t i = j; i < hidden_; ++i) jtj(first + i, first + j) = outputs_.total(j, i);
+      jtj(bias, first + j) = outputs_.total(j, hidden_ + 1);
+      jte[first + j] = outputs_.total(j, hidden_);
     }
-    return outputs_.total(hidden_ + 1, hidden_ + 1);
+    jtj(bias, bias) = static_cast<double>(samples_.rows());
+    jte[bias] = outputs_.total(hidden_, hidden_ + 1);
+    return outputs_.total(hidden_, hidden_);
   }
 
  private:
-  // Adds the products of a block's columns: activations, ones and error, and products of inputs.
+  // Adds the products of a block's columns: activations and error, and products of inputs.
   void add(const double* hidden, const double* moments, std::size_t rows) {
-    for (std::size_t c = 0; c < hidden_ + 2; ++c) outputs_.left[c] = {hidden + c * kStride, nullptr};
-    outputs_.right = cross_.right = hidden;
+    for (std::size_t c = 0; c <= hidden_; ++c) outputs_.left[c] = {hidden + c * kStride, nullptr};
+    outputs_.right = weights_.right = biases_.right = hidden;
     slopes_.right = moments;
+    const double* const slopes = hidden + (hidden_ + 1) * kStride;
     for (std::size_t i = 0, pair = 0; i < hidden_; ++i) {
-      const double* const slope = slope_ + i * kStride;
-      for (std::size_t j = i; j < hidden_; ++j, ++pair) slopes_.left[pair] = {slope, slope_ + j * kStride};
-      for (std::size_t k = 0; k <= inputs_; ++k) {
-        cross_.left[i * (inputs_ + 1) + k] = {slope, moments + moment(k, inputs_) * kStride};
+      const double* const slope = slopes + i * kStride;
+      for (std::size_t j = i; j < hidden_; ++j, ++pair) slopes_.left[pair] = {slope, slopes + j * kStride};
+      for (std::size_t k = 0; k < inputs_; ++k) {
+        weights_.left[i * inputs_ + k] = {slope, moments + moment(k, inputs_) * kStride};
       }
+      biases_.left[i] = {slope, nullptr};
     }
-    for (ProductSums* list : {&slopes_, &cross_, &outputs_}) list->add(rows);
+    for (ProductSums* list : {&slopes_, &weights_, &biases_, &outputs_}) list->add(rows);
   }
 
-  // The number of the product of inputs k and l, the last input being one.
+  // The number of the product of inputs k and l, input I being one; of one by itself that of all others.
   [[nodiscard]] std::size_t moment(std::size_t k, std::size_t l) const {
     const std::size_t low = std::min(k, l);
     return low * (2 * inputs_ + 1 - low) / 2 + std::max(k, l);
@@ -142,18 +138,22 @@ class NormalSums {
     return k < inputs_ ? j * inputs_ + k : hidden_ * inputs_ + j;
   }
 
-  // What the weight of input k into unit j has to do with those of the units from j on and with the output
-  // layer.
-  void store_row(std::size_t j, std::size_t k, Matrix& jtj, double* jte) const {
+  // What the weight of input k into unit j has to do with those of the units from j on, and, by `row` of the
+  // sums, with the output layer.
+  void store_row(std::size_t j, std::size_t k, const ProductSums& sums, std::size_t row, Matrix& jtj,
+                 double* jte) const {
     const std::size_t at = weight(j, k);
-    const std::size_t row = j * (inputs_ + 1) + k;
     const std::size_t first = network_.shape.hidden_weights();
-    for (std::size_t c = 0; c <= hidden_; ++c) jtj(at, first + c) = jtj(first + c, at) = cross_.total(row, c);
-    jte[at] = cross_.total(row, hidden_ + 1);
+    const double* const v = network_.output;
+    for (std::size_t c = 0; c < hidden_; ++c) jtj(first + c, at) = v[j] * sums.total(row, c);
+    jtj(first + hidden_, at) = v[j] * sums.total(row, hidden_ + 1);
+    jte[at] = v[j] * sums.total(row, hidden_);
     for (std::size_t i = j; i < hidden_; ++i) {
       const std::size_t pair = j * (2 * hidden_ - j - 1) / 2 + i;
+      const double both = v[j] * v[i];
       for (std::size_t l = 0; l <= inputs_; ++l) {
-        jtj(at, weight(i, l)) = jtj(weight(i, l), at) = slopes_.total(pair, moment(k, l));
+        const std::size_t other = weight(i, l);
+        jtj(std::max(at, other), std::min(at, other)) = both * slopes_.total(pair, moment(k, l));
       }
     }
   }
@@ -162,9 +162,10 @@ class NormalSums {
   const Samples& samples_;
   PerceptronColumns& columns_;
   std::size_t inputs_, hidden_;
-  ProductSums slopes_, cross_, outputs_;
-  double* slope_ = nullptr;    // of each unit in a block
-  double* scratch_ = nullptr;  // of columns that are not kept
+  ProductSums slopes_;            // two of them with the products of inputs
+  ProductSums weights_, biases_;  // derivatives with activations and error, less the output weight
+  ProductSums outputs_;           // activations and error
+  double* scratch_ = nullptr;     // of columns that are not kept
 };
 
 }  // namespace HWY_NAMESPACE

@@ -124,7 +124,8 @@ class SeparableColumns {
     if (kept == Kept::derivatives) return;
     hidden_ = {.activation = second() + kStride,
                .slope = slopes_ ? block_ + slope_at(0) : nullptr,
-               .error = block_ + basis() * kStride};
+               .error = block_ + basis() * kStride,
+               .weighted = true};
     if (kept == Kept::nothing) {
       HiddenBlock(network_, samples_, first, rows, hidden_);
     } else {

@@ -76,7 +76,7 @@ void ProjectedSums(const SeparableNetwork& network, SeparableState& state, const
   columns.leave();
   sums.finish();
   for (std::size_t c = 0; c < p; ++c) {
-    for (std::size_t r = 0; r <= c; ++r) pp(r, c) = pp(c, r) = sums.total(r, c);
+    for (std::size_t r = 0; r <= c; ++r) pp(c, r) = sums.total(r, c);
     pe[c] = sums.total(c, p);
   }
 }
