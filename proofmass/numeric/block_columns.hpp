@@ -8,7 +8,9 @@
 namespace proofmass {
 
 // Columns of all samples, a block of rows after the other, that a pass over the samples leaves for later
-// ones. Keeps nothing where that would be so much that reading it takes as long as computing it again.
+// ones. Keeps nothing where that would be so much that reading it takes as long as computing it again. Memory
+// goes from one to the next of a thread, as training begins anew often and the system takes its time to hand
+// out pages.
 class BlockColumns {
  public:
   // Rows of a block, and how far apart its columns stand: all of them stay in the second level of cache,
@@ -18,10 +20,12 @@ class BlockColumns {
   static constexpr std::size_t kStride = kRows + 8;
 
   BlockColumns() = default;
-  BlockColumns(std::size_t columns, std::size_t padded_rows) : columns_(columns) {
-    const std::size_t size = (padded_rows + kRows - 1) / kRows * columns * kStride;
-    if (size <= kMost) storage_.resize(size);
-  }
+  BlockColumns(std::size_t columns, std::size_t padded_rows);
+  BlockColumns(BlockColumns&&) noexcept = default;
+  BlockColumns& operator=(BlockColumns&&) noexcept = default;
+  BlockColumns(const BlockColumns&) = delete;
+  BlockColumns& operator=(const BlockColumns&) = delete;
+  ~BlockColumns();
 
   [[nodiscard]] bool keeps() const noexcept { return !storage_.empty(); }
   // One block's columns, in values.
@@ -35,7 +39,7 @@ class BlockColumns {
   static constexpr std::size_t kMost = (std::size_t{3} << 20) / sizeof(double);
 
   std::size_t columns_ = 0;
-  AlignedColumn storage_;
+  AlignedColumn storage_;  // of at least the size needed, whatever it holds
 };
 
 }  // namespace proofmass

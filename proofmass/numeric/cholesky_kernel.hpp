@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cholesky's factor of a small matrix, vectorised, chosen at run time for the processor.
+// Cholesky's factors of a small matrix and the equations they solve, vectorised, chosen at run time for the
+// processor.
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "proofmass/numeric/samples.hpp"
 
@@ -16,13 +19,31 @@ struct PaddedSquare {
         values(size * stride) {}
 
   [[nodiscard]] double* column(std::size_t c) noexcept { return values.data() + c * stride; }
+  [[nodiscard]] const double* column(std::size_t c) const noexcept { return values.data() + c * stride; }
 
   std::size_t n, stride;
   AlignedColumn values;
 };
 
-// Replaces the lower triangle of a symmetric positive definite matrix by L, with L Lᵀ the matrix; what stands
-// above is spoilt. False where a pivot is not positive and finite: all is spoilt then.
-[[nodiscard]] bool cholesky_in_place(PaddedSquare& matrix);
+// Factors L D Lᵀ of a symmetric positive definite matrix, L with ones on its diagonal.
+class CholeskyFactors {
+ public:
+  explicit CholeskyFactors(std::size_t n) : matrix_(n), inverse_(n), rest_(matrix_.stride) {}
+
+  // Takes the place of all factors: the matrix is to be written here, its lower triangle at least.
+  [[nodiscard]] PaddedSquare& matrix() noexcept { return matrix_; }
+  // Turns the matrix into L D. False where a pivot is not positive and finite: all is spoilt then.
+  [[nodiscard]] bool factor();
+  // The solution for -b, n values of each.
+  void solve(std::span<const double> b, std::span<double> solution);
+
+  [[nodiscard]] const PaddedSquare& scaled_columns() const noexcept { return matrix_; }  // L D
+  [[nodiscard]] std::span<const double> inverse_pivots() const noexcept { return inverse_; }
+
+ private:
+  PaddedSquare matrix_;
+  std::vector<double> inverse_;
+  AlignedColumn rest_;  // scratch of solve
+};
 
 }  // namespace proofmass

@@ -141,7 +141,8 @@ class Minimiser {
     if (options_.damping == Damping::gain_ratio) {
       const double predicted = problem_->predicted_reduction(velocity);
       const double gain = (result_.sum_of_squares - value) / predicted;
-      mu_ *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3));
+      const double excess = 2.0 * gain - 1.0;
+      mu_ *= std::max(1.0 / 3.0, 1.0 - excess * excess * excess);
     } else {
       mu_ *= options_.decrease;
     }

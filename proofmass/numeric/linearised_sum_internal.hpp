@@ -31,7 +31,7 @@ class LinearisedSum {
   // Factors JᵀJ + diag(damping); false when that cannot be done.
   virtual bool factor(const Eigen::VectorXd& damping) = 0;
   // -(JᵀJ + damping)⁻¹ Jᵀr by the last factors.
-  [[nodiscard]] virtual Eigen::VectorXd velocity() const = 0;
+  [[nodiscard]] virtual Eigen::VectorXd velocity() = 0;
   // -(JᵀJ + damping)⁻¹ Jᵀ d²r/dt² along x + t * velocity; nothing when the problem cannot tell.
   [[nodiscard]] virtual std::optional<Eigen::VectorXd> acceleration(const Eigen::VectorXd& velocity) = 0;
   // By how much the linearised sum of squares falls along the velocity by the last factors.

@@ -9,7 +9,6 @@ namespace proofmass {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using Padded = Eigen::Map<const Eigen::MatrixXd, Eigen::Unaligned, Eigen::OuterStride<>>;
 
 class NormalEquations final : public LinearisedSum {
  public:
@@ -19,7 +18,7 @@ class NormalEquations final : public LinearisedSum {
         normal_(problem.parameters(), problem.parameters()),
         gradient_(n_),
         damping_(n_),
-        factor_(problem.parameters()) {}
+        factors_(problem.parameters()) {}
 
   double evaluate(const Vector& x) override { return problem_.evaluate({x.data(), problem_.parameters()}); }
   void accept() override { problem_.accept(); }
@@ -31,13 +30,14 @@ class NormalEquations final : public LinearisedSum {
 
   bool factor(const Vector& damping) override {
     damping_ = damping;
-    for (std::size_t c = 0; c < factor_.n; ++c) {
-      std::copy_n(&normal_(c, c), factor_.n - c, factor_.column(c) + c);
-      factor_.column(c)[c] += damping(static_cast<Eigen::Index>(c));
+    PaddedSquare& damped = factors_.matrix();
+    for (std::size_t c = 0; c < damped.n; ++c) {
+      std::copy_n(&normal_(c, c), damped.n - c, damped.column(c) + c);
+      damped.column(c)[c] += damping(static_cast<Eigen::Index>(c));
     }
-    return cholesky_in_place(factor_);
+    return factors_.factor();
   }
-  [[nodiscard]] Vector velocity() const override { return solve(gradient_); }
+  [[nodiscard]] Vector velocity() override { return solve(gradient_); }
 
   [[nodiscard]] std::optional<Vector> acceleration(const Vector& velocity) override {
     Vector second(n_);
@@ -55,18 +55,17 @@ class NormalEquations final : public LinearisedSum {
   [[nodiscard]] std::span<double> view(Vector& v) const { return {v.data(), problem_.parameters()}; }
   [[nodiscard]] Eigen::Map<const Eigen::MatrixXd> normal() const { return {normal_.data(), n_, n_}; }
   // The solution for -b.
-  [[nodiscard]] Vector solve(const Vector& b) const {
-    const auto stride = static_cast<Eigen::Index>(factor_.stride);
-    const Padded factor(factor_.values.data(), n_, n_, Eigen::OuterStride<>(stride));
-    const auto triangle = factor.triangularView<Eigen::Lower>();
-    return -triangle.transpose().solve(triangle.solve(b));
+  [[nodiscard]] Vector solve(const Vector& b) {
+    Vector solution(n_);
+    factors_.solve({b.data(), problem_.parameters()}, view(solution));
+    return solution;
   }
 
   SumOfSquares& problem_;
   Eigen::Index n_;
   Matrix normal_;  // the lower triangle
   Vector gradient_, damping_;
-  PaddedSquare factor_;
+  CholeskyFactors factors_;
 };
 
 }  // namespace

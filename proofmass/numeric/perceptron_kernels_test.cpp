@@ -177,9 +177,8 @@ void expect_scalar_normal_equations(const PerceptronShape& shape, const std::vec
   ASSERT_LE(std::abs(sse - expected[p][p]), kTolerance * lengths[p] * lengths[p]);
   for (std::size_t c = 0; c < p; ++c) {
     ASSERT_LE(std::abs(jte[c] - expected[c][p]), kTolerance * lengths[c] * lengths[p]) << c;
-    for (std::size_t r = 0; r < p; ++r) {
+    for (std::size_t r = c; r < p; ++r) {
       ASSERT_LE(std::abs(jtj(r, c) - expected[r][c]), kTolerance * lengths[r] * lengths[c]) << r << ", " << c;
-      ASSERT_EQ(jtj(r, c), jtj(c, r));
     }
   }
 }

@@ -71,10 +71,13 @@ class NormalSums {
         columns_(columns),
         inputs_(network.shape.inputs),
         hidden_(network.shape.hidden),
-        slopes_(hidden_ * (hidden_ + 1) / 2, moment(inputs_, inputs_), false, WithOnes::yes),
-        weights_(hidden_ * inputs_, hidden_ + 1, false, WithOnes::yes),
-        biases_(hidden_, hidden_ + 1, false, WithOnes::yes),
-        outputs_(hidden_ + 1, hidden_ + 1, true, WithOnes::yes) {
+        slopes_({.rows = hidden_ * (hidden_ + 1) / 2,
+                 .columns = moment(inputs_, inputs_),
+                 .pairs = true,
+                 .ones = true}),
+        weights_({.rows = hidden_ * inputs_, .columns = hidden_ + 1, .pairs = true, .ones = true}),
+        biases_({.rows = hidden_, .columns = hidden_ + 1, .ones = true}),
+        outputs_({.rows = hidden_ + 1, .columns = hidden_ + 1, .ones = true, .upper = true}) {
     scratch_ = LayOut(columns.hidden.block_size() + columns.moments.block_size(), slopes_, weights_, biases_,
                       outputs_);
   }
@@ -98,8 +101,9 @@ class NormalSums {
     const std::size_t first = network_.shape.hidden_weights();
     const std::size_t bias = first + hidden_;
     for (std::size_t j = 0; j < hidden_; ++j) {
-      for (std::size_t k = 0; k < inputs_; ++k) store_row(j, k, weights_, j * inputs_ + k, jtj, jte);
-      store_row(j, inputs_, biases_, j, jtj, jte);
+      for (std::size_t k = j * inputs_; k < (j + 1) * inputs_; ++k) store_row(j, k, weights_, k, jtj, jte);
+      store_row(j, hidden_ * inputs_ + j, biases_, j, jtj, jte);
+      for (std::size_t i = j; i < hidden_; ++i) store_pair(j, i, jtj);
       for (std::size_t i = j; i < hidden_; ++i) jtj(first + i, first + j) = outputs_.total(j, i);
       jtj(bias, first + j) = outputs_.total(j, hidden_ + 1);
       jte[first + j] = outputs_.total(j, hidden_);
@@ -133,29 +137,30 @@ class NormalSums {
     return low * (2 * inputs_ + 1 - low) / 2 + std::max(k, l);
   }
 
-  // The weight of input k into unit j, or its bias, among all weights.
-  [[nodiscard]] std::size_t weight(std::size_t j, std::size_t k) const {
-    return k < inputs_ ? j * inputs_ + k : hidden_ * inputs_ + j;
+  // What a hidden weight of unit j, number `at` of all, has to do with the output layer, by `row` of the
+  // sums.
+  void store_row(std::size_t j, std::size_t at, const ProductSums& sums, std::size_t row, Matrix& jtj,
+                 double* jte) const {
+    const double v = network_.output[j];
+    double* const column = &jtj(network_.shape.hidden_weights(), at);
+    for (std::size_t c = 0; c < hidden_; ++c) column[c] = v * sums.total(row, c);
+    column[hidden_] = v * sums.total(row, hidden_ + 1);
+    jte[at] = v * sums.total(row, hidden_);
   }
 
-  // What the weight of input k into unit j has to do with those of the units from j on, and, by `row` of the
-  // sums, with the output layer.
-  void store_row(std::size_t j, std::size_t k, const ProductSums& sums, std::size_t row, Matrix& jtj,
-                 double* jte) const {
-    const std::size_t at = weight(j, k);
-    const std::size_t first = network_.shape.hidden_weights();
-    const double* const v = network_.output;
-    for (std::size_t c = 0; c < hidden_; ++c) jtj(first + c, at) = v[j] * sums.total(row, c);
-    jtj(first + hidden_, at) = v[j] * sums.total(row, hidden_ + 1);
-    jte[at] = v[j] * sums.total(row, hidden_);
-    for (std::size_t i = j; i < hidden_; ++i) {
-      const std::size_t pair = j * (2 * hidden_ - j - 1) / 2 + i;
-      const double both = v[j] * v[i];
-      for (std::size_t l = 0; l <= inputs_; ++l) {
-        const std::size_t other = weight(i, l);
-        jtj(std::max(at, other), std::min(at, other)) = both * slopes_.total(pair, moment(k, l));
+  // What the hidden weights of unit i have to do with those of unit j <= i.
+  void store_pair(std::size_t j, std::size_t i, Matrix& jtj) const {
+    const std::size_t pair = j * (2 * hidden_ - j - 1) / 2 + i;
+    const std::size_t bias = hidden_ * inputs_;
+    const double both = network_.output[j] * network_.output[i];
+    for (std::size_t k = 0; k < inputs_; ++k) {
+      for (std::size_t l = 0; l < inputs_; ++l) {
+        jtj(i * inputs_ + l, j * inputs_ + k) = both * slopes_.total(pair, moment(k, l));
       }
+      jtj(bias + i, j * inputs_ + k) = jtj(bias + j, i * inputs_ + k) =
+          both * slopes_.total(pair, moment(k, inputs_));
     }
+    jtj(bias + i, bias + j) = both * slopes_.total(pair, moment(inputs_, inputs_));
   }
 
   const Network& network_;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "proofmass/numeric/block_columns.hpp"
@@ -68,56 +69,90 @@ HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::siz
   }
 }
 
-// The tile for any number of columns up to kColumns.
-template <bool kPairs, bool kOnes, std::size_t kRows, std::size_t kColumns>
-HWY_INLINE void ProductTiles(const Factors* left, const double* right, std::size_t columns, std::size_t rows,
-                             bool first, double* acc) {
-  if (columns == kColumns) return ProductTile<kPairs, kOnes, kRows, kColumns>(left, right, rows, first, acc);
-  if constexpr (kColumns > 1) {
-    ProductTiles<kPairs, kOnes, kRows, kColumns - 1>(left, right, columns, rows, first, acc);
+// The sum of the lanes of each vector, `size` of them.
+HWY_INLINE void SumLanes(const double* vectors, std::size_t size, double* sums) {
+  std::size_t i = 0;
+#if HWY_TARGET <= HWY_AVX3
+  // Two by two, each sum of two vectors holding theirs side by side, until one vector holds those of eight.
+  const auto beside = [](V a, V b) HWY_ATTR {
+    return hn::Add(hn::InterleaveLower(kD, a, b), hn::InterleaveUpper(kD, a, b));
+  };
+  const auto halves = [](V a, V b) HWY_ATTR {
+    return hn::Add(hn::ConcatLowerLower(kD, b, a), hn::ConcatUpperUpper(kD, b, a));
+  };
+  for (; i + 8 <= size; i += 8) {
+    const auto load = [&](std::size_t k) HWY_ATTR { return hn::LoadU(kD, vectors + (i + k) * kLanes); };
+    const V low = halves(beside(load(0), load(1)), beside(load(4), load(5)));
+    const V high = halves(beside(load(2), load(3)), beside(load(6), load(7)));
+    const V even = hn::OddEvenBlocks(high, low);
+    const V odd = hn::SwapAdjacentBlocks(hn::OddEvenBlocks(low, high));
+    hn::StoreU(hn::Add(even, odd), kD, sums + i);
   }
+#endif
+  for (; i < size; ++i) sums[i] = hn::GetLane(hn::SumOfLanes(kD, hn::LoadU(kD, vectors + i * kLanes)));
 }
 
-enum class WithOnes : bool { no, yes };
+using TileKernel = void(const Factors* left, const double* right, std::size_t rows, bool first, double* acc);
+
+// The tiles of 1, 2, … columns.
+template <bool kPairs, bool kOnes, std::size_t kRows, std::size_t... kLess>
+constexpr std::array<TileKernel*, sizeof...(kLess)> TilesByColumns(std::index_sequence<kLess...>) {
+  return {&ProductTile<kPairs, kOnes, kRows, kLess + 1>...};
+}
 
 // Sums over all samples of products of pairs of columns (left) with single columns (right, one after the
-// other in a block, and with ones as if a column of ones followed), block after block. Where the first pair
-// has no second column, no pair has. With `upper` only elements of the upper triangle are computed, and those
-// beside it that a tile holds.
+// other in a block), block after block.
 class ProductSums {
  public:
-  ProductSums(std::size_t rows, std::size_t columns, bool upper, WithOnes ones = WithOnes::no)
-      : left(rows), columns_(columns + (ones == WithOnes::yes ? 1 : 0)), upper_(upper), ones_(ones) {}
+  struct Layout {
+    std::size_t rows = 0;     // left columns, or pairs of them
+    std::size_t columns = 0;  // right columns
+    bool pairs = false;       // left columns are pairs
+    bool ones = false;        // a column of ones follows the right ones, which is nowhere in memory
+    bool upper = false;       // only elements of the upper triangle are wanted
+  };
+
+  explicit ProductSums(const Layout& layout)
+      : left(layout.rows), layout_(layout), columns_(layout.columns + (layout.ones ? 1 : 0)) {}
 
   std::vector<Factors> left;
   const double* right = nullptr;
 
   // In values; whole cache lines.
   [[nodiscard]] std::size_t storage() const { return (left.size() * columns_ * (kLanes + 1) + 7) / 8 * 8; }
+
   // Storage for the sums, whatever it holds.
   void start(double* sums) {
-    first_ = true;
-    sums_ = sums;
     totals_ = sums + left.size() * columns_ * kLanes;
+    first_ = true;
+    tiles_.clear();
+    tiles_.reserve((left.size() + 1) / 2 * ((columns_ + kMostColumns - 1) / kMostColumns));
+    for (std::size_t i = 0; i < left.size(); i += 2) {
+      const std::size_t tall = std::min<std::size_t>(2, left.size() - i);
+      for (std::size_t j = layout_.upper ? i : 0; j < columns_; j += kMostColumns) {
+        const std::size_t wide = std::min(kMostColumns, columns_ - j);
+        tiles_.push_back({i, j, tall, wide, kernel(tall, j, wide), sums});
+        sums += tall * wide * kLanes;
+      }
+    }
   }
 
   // The columns set before hold `rows` rows, at most kBlockRows.
   void add(std::size_t rows) {
-    if (left.empty()) return;
-    left[0][1] == nullptr ? add_tiles<false>(rows) : add_tiles<true>(rows);
+    for (const Tile& tile : tiles_) {
+      tile.kernel(&left[tile.row], right + tile.column * kStride, rows, first_, tile.sums);
+    }
     first_ = false;
   }
 
   // Sums up the lanes: after the last of one block or more, before any total is asked for.
   void finish() {
-    for_each_tile(
-        [this](std::size_t i, std::size_t tall, std::size_t j, std::size_t wide, const double* acc) HWY_ATTR {
-          for (std::size_t r = 0; r < tall; ++r) {
-            for (std::size_t c = 0; c < wide; ++c, acc += kLanes) {
-              totals_[(i + r) * columns_ + j + c] = hn::GetLane(hn::SumOfLanes(kD, hn::LoadU(kD, acc)));
-            }
-          }
-        });
+    for (const Tile& tile : tiles_) {
+      for (std::size_t r = 0; r < tile.tall; ++r) {
+        SumLanes(tile.sums + r * tile.wide * kLanes, tile.wide,
+                 totals_ + (tile.row + r) * columns_ + tile.column);
+      }
+    }
   }
 
   // The sum for element (i, j); that with ones is the last of a row.
@@ -127,45 +162,30 @@ class ProductSums {
   // Sixteen registers hold 2 x 5 sums with what feeds them, thirty-two 2 x 10.
   static constexpr std::size_t kMostColumns = HWY_TARGET <= HWY_AVX3 ? 10 : 5;
 
-  template <bool kPairs>
-  void add_tiles(std::size_t rows) {
-    for_each_tile([this, rows](std::size_t i, std::size_t tall, std::size_t j, std::size_t wide, double* acc)
-                      HWY_ATTR {
-                        if (ones_ == WithOnes::yes && j + wide == columns_) {
-                          add_tile<kPairs, true>(i, tall, j, wide, rows, acc);
-                        } else {
-                          add_tile<kPairs, false>(i, tall, j, wide, rows, acc);
-                        }
-                      });
+  struct Tile {
+    std::size_t row, column, tall, wide;
+    TileKernel* kernel;
+    double* sums;  // of each lane
+  };
+
+  [[nodiscard]] TileKernel* kernel(std::size_t tall, std::size_t column, std::size_t wide) const {
+    const bool ones = layout_.ones && column + wide == columns_;
+    if (layout_.pairs) return ones ? kernel<true, true>(tall, wide) : kernel<true, false>(tall, wide);
+    return ones ? kernel<false, true>(tall, wide) : kernel<false, false>(tall, wide);
   }
 
   template <bool kPairs, bool kOnes>
-  HWY_INLINE void add_tile(std::size_t i, std::size_t tall, std::size_t j, std::size_t wide, std::size_t rows,
-                           double* acc) {
-    if (tall == 2) {
-      ProductTiles<kPairs, kOnes, 2, kMostColumns>(&left[i], right + j * kStride, wide, rows, first_, acc);
-    } else {
-      ProductTiles<kPairs, kOnes, 1, kMostColumns>(&left[i], right + j * kStride, wide, rows, first_, acc);
-    }
+  [[nodiscard]] static TileKernel* kernel(std::size_t tall, std::size_t wide) {
+    constexpr std::make_index_sequence<kMostColumns> kColumns;
+    static constexpr auto kShort = TilesByColumns<kPairs, kOnes, 1>(kColumns);
+    static constexpr auto kTall = TilesByColumns<kPairs, kOnes, 2>(kColumns);
+    return tall == 1 ? kShort[wide - 1] : kTall[wide - 1];
   }
 
-  // Calls body with the first row and the rows of each tile, its first column and columns, and its sums.
-  template <typename Body>
-  HWY_INLINE void for_each_tile(const Body& body) {
-    for (std::size_t i = 0; i < left.size(); i += 2) {
-      const std::size_t tall = std::min<std::size_t>(2, left.size() - i);
-      for (std::size_t j = upper_ ? i : 0; j < columns_; j += kMostColumns) {
-        const std::size_t wide = std::min(kMostColumns, columns_ - j);
-        body(i, tall, j, wide, sums_ + (i * columns_ + tall * j) * kLanes);
-      }
-    }
-  }
-
-  std::size_t columns_;
-  bool upper_;
-  WithOnes ones_;
+  Layout layout_;
+  std::size_t columns_;  // with that of ones
+  std::vector<Tile> tiles_;
   bool first_ = true;         // no block is added yet
-  double* sums_ = nullptr;    // of each lane
   double* totals_ = nullptr;  // of all lanes
 };
 

@@ -14,7 +14,7 @@ namespace HWY_NAMESPACE {
 void BasisSums(const SeparableNetwork& network, SeparableState& state, BasisProducts& products) {
   SeparableColumns columns(network, state, false);
   const std::size_t n = columns.basis();
-  ProductSums sums(n + 1, n + 1, true);
+  ProductSums sums({.rows = n + 1, .columns = n + 1, .upper = true});
   columns.start(LayOut(columns.scratch(), sums));
   ForEachBlock(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
@@ -37,7 +37,7 @@ void CrossSums(const SeparableNetwork& network, SeparableState& state, Matrix& d
   SeparableColumns columns(network, state, true);
   const std::size_t inputs = network.shape.inputs;
   const std::size_t hidden = network.shape.hidden;
-  ProductSums sums(hidden * (inputs + 1), columns.basis(), false);
+  ProductSums sums({.rows = hidden * (inputs + 1), .columns = columns.basis(), .pairs = true});
   columns.start(LayOut(columns.scratch(), sums));
   ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
@@ -61,7 +61,7 @@ void ProjectedSums(const SeparableNetwork& network, SeparableState& state, const
                    Matrix& pp, double* pe) {
   SeparableColumns columns(network, state, true);
   const std::size_t p = projection.columns();
-  ProductSums sums(p, p + 1, true);
+  ProductSums sums({.rows = p, .columns = p + 1, .upper = true});
   double* const projected = LayOut((p + 1) * kStride + columns.scratch(), sums);  // P, then the error
   columns.start(projected + (p + 1) * kStride);
   for (std::size_t c = 0; c < p; ++c) sums.left[c] = {projected + c * kStride, nullptr};
@@ -84,7 +84,7 @@ void ProjectedSums(const SeparableNetwork& network, SeparableState& state, const
 // qᵀs of the second derivative as it is, in a first pass that leaves s where columns are kept.
 void SecondBasisSums(const SeparableNetwork& network, SeparableColumns& columns, const double* direction,
                      double* q_second) {
-  ProductSums sums(1, columns.basis(), false);
+  ProductSums sums({.rows = 1, .columns = columns.basis()});
   columns.start(LayOut(columns.scratch(), sums));
   ForEachBlock(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
@@ -110,7 +110,8 @@ void SecondSums(const SeparableNetwork& network, SeparableState& state, const do
   for (std::size_t c = 0; c < n; ++c) {
     for (std::size_t r = 0; r < n; ++r) removed[r] += gram_inverse(r, c) * q_second[c];
   }
-  ProductSums by_weight(inputs + 1, hidden, false), by_output(1, n, false);
+  ProductSums by_weight({.rows = inputs + 1, .columns = hidden, .pairs = true});
+  ProductSums by_output({.rows = 1, .columns = n});
   columns.start(LayOut(columns.scratch(), by_weight, by_output));
   ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);

@@ -59,7 +59,7 @@ void sum_basis_products(const SeparableNetwork& network, SeparableState& state, 
 // dq = Dᵀq, hidden weights by columns of q. Leaves the derivatives.
 void sum_cross_products(const SeparableNetwork& network, SeparableState& state, Matrix& dq);
 
-// With P = D - q * projection: pp = PᵀP, pe = Pᵀe. Leaves the derivatives.
+// With P = D - q * projection: pp = PᵀP, its lower triangle, pe = Pᵀe. Leaves the derivatives.
 void sum_projected_products(const SeparableNetwork& network, SeparableState& state, const Matrix& projection,
                             Matrix& pp, std::span<double> pe);
 

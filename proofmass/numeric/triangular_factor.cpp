@@ -57,7 +57,7 @@ class TriangularFactor final : public LinearisedSum {
     damped_.compute(stacked);
     return (damped_.matrixQR().diagonal().array() != 0.0).all();
   }
-  [[nodiscard]] Vector velocity() const override { return solve(rotated_); }
+  [[nodiscard]] Vector velocity() override { return solve(rotated_); }
 
   [[nodiscard]] std::optional<Vector> acceleration(const Vector& velocity) override {
     const Vector beyond = point_ + kDifference * velocity;

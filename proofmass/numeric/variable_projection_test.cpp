@@ -126,7 +126,7 @@ RC_GTEST_PROP(SeparablePerceptron, LinearisesByKaufmansJacobian, (std::uint64_t 
   for (std::size_t i = 0; i < p; ++i) {
     RC_ASSERT(std::abs(gradient[i] - dot(jacobian.column(i), fit.residuals)) <=
               1e-9 * std::sqrt(size * fit.rss));
-    for (std::size_t k = 0; k < p; ++k) {
+    for (std::size_t k = i; k < p; ++k) {
       RC_ASSERT(std::abs(normal(k, i) - dot(jacobian.column(k), jacobian.column(i))) <= 1e-9 * size);
     }
   }
