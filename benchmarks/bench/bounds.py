@@ -3,15 +3,15 @@
 
 Operations of the multiplication ports a sample, for a network of I inputs, H units and D = H (I + 2) + 1 weights; a
 fused product counts once, a division too, though it takes longer. Loads, stores and additions, which have ports of
-their own, are taken to be free. The counts are those of our kernels (proofmass/numeric/*-inl.hpp); a JᵀJ of whole
+their own, are taken to be free, and with them products with a column of ones. The counts are those of our kernels (proofmass/numeric/*-inl.hpp); a JᵀJ of whole
 columns would take D (D + 1) / 2 where ours takes products of slopes with products of inputs.
 """
 
-TANH = 12  # two bounds, seven of the polynomial, one of the table, m; the quotient
-FINE_TANH = 14  # of training: scaling, and another of the table
+TANH = 11  # two bounds, six of the polynomial, one of the table, m; the quotient
+FINE_TANH = 13  # of training: one more of the polynomial, and of the table
 UNIT_OUTPUT = 1  # v_j h_j, summed; the argument b_j + w_j . x takes I
 RESIDUAL = 2  # target - output; its square, summed
-UNIT_SLOPE = 2  # v_j (1 - h_j²)
+UNIT_SLOPE = 1  # 1 - h_j²; output weights multiply the sums
 TANH_PASSES = 1  # an epoch needs tanh at its trial point alone: the Jacobian is at the last one accepted
 
 
@@ -25,11 +25,12 @@ def jacobian(inputs, hidden):
 
 
 def normal_equations(inputs, hidden):
-    """Upper triangle of JᵀJ, and Jᵀe."""
-    slopes = hidden * (hidden + 1) / 2 * (1 + (inputs + 1) * (inputs + 2) / 2)
-    cross = hidden * (inputs + 1) * (1 + hidden + 2)
-    outputs = (hidden + 2) * (hidden + 3) / 2
-    return slopes + cross + outputs
+    """A triangle of JᵀJ, and Jᵀe."""
+    slopes = hidden * (hidden + 1) / 2 * (1 + inputs * (inputs + 3) / 2)
+    weights = hidden * inputs * (1 + hidden + 1)
+    biases = hidden * (hidden + 1)
+    outputs = (hidden + 1) * (hidden + 2) / 2
+    return slopes + weights + biases + outputs
 
 
 def solution(inputs, hidden):

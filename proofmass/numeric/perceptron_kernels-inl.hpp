@@ -3,13 +3,12 @@
 // foreach_target, so without an ordinary include guard.
 //
 // Operations of the multiplication ports a sample, for I inputs, H hidden units and p = H (I + 1) hidden
-// weights, on 2 x 10 tiles; tanh takes T = 14, with AVX2 16:
+// weights, on 2 x 10 tiles; tanh takes T = 13, with AVX2 15:
 //   activations, error    H (I + T + 1)
-//   slopes                2 H
-//   JᵀJ, Jᵀe, eᵀe         by slopes and products of inputs: I (I + 1) / 2 + H (H + 1) / 2 (1 + (I + 1) (I +
-//   2) / 2)
-//                         + p (H + 3) + (H + 2) (H + 3) / 2
-// 3-7-1: 126 for activations and error, 779 for the normal equations by all weights with them (a dense JᵀJ
+//   slopes                H, weighted 2 H
+//   JᵀJ, Jᵀe, eᵀe         by slopes and products of inputs: I (I + 1) / 2 + H (H + 1) / 2 (1 + I (I + 3) / 2)
+//                         + H I (H + 2) + H (H + 1) + (H + 1) (H + 2) / 2
+// 3-7-1: 119 for activations and error, 693 for the normal equations by all weights with them (a dense JᵀJ
 // with Jᵀe and eᵀe alone would take 703).
 #if defined(PROOFMASS_PERCEPTRON_KERNELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PERCEPTRON_KERNELS_INL
