@@ -9,8 +9,9 @@
 //   Dᵀq                   p (n + 1)
 //   P = D - q C           p (n + 1) - H
 //   PᵀP, Pᵀe              p (p + 3) / 2
+//   Pᵀq                   p n, where asked for
 //   second derivative     H (I + 5), its part in q 3 n, Dᵀs p + I + 1
-// 3-7-1, n = 8: 36, 45, 252, 245, 434 and 112.
+// 3-7-1, n = 8: 36, 45, 252, 245, 434, 224 and 112.
 #if defined(PROOFMASS_SEPARABLE_COLUMNS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_SEPARABLE_COLUMNS_INL
 #undef PROOFMASS_SEPARABLE_COLUMNS_INL
@@ -121,7 +122,7 @@ class SeparableColumns {
   void fill(std::size_t first, std::size_t rows) {
     const Kept kept = keeps() ? state_.kept : Kept::nothing;
     block_ = state_.columns.block(first, scratch_);
-    if (kept == Kept::derivatives) return;
+    if (kept >= Kept::derivatives) return;
     hidden_ = {.activation = second() + kStride,
                .slope = slopes_ ? block_ + slope_at(0) : nullptr,
                .error = block_ + basis() * kStride,
@@ -141,7 +142,9 @@ class SeparableColumns {
   }
 
   // After the last block: passes to come find what this one has filled.
-  void leave() { state_.kept = std::max(state_.kept, slopes_ ? Kept::derivatives : Kept::basis); }
+  void leave() { leave(std::max(state_.kept, slopes_ ? Kept::derivatives : Kept::basis)); }
+  void leave(Kept kept) { state_.kept = kept; }
+  [[nodiscard]] bool has_second() const { return keeps() && state_.kept == Kept::second; }
 
   // Of the block filled last.
   [[nodiscard]] const double* q() const { return block_; }

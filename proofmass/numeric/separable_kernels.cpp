@@ -58,13 +58,17 @@ void CrossSums(const SeparableNetwork& network, SeparableState& state, Matrix& d
 }
 
 void ProjectedSums(const SeparableNetwork& network, SeparableState& state, const Matrix& projection,
-                   Matrix& pp, double* pe) {
+                   Matrix& pp, double* pe, Matrix* pq) {
   SeparableColumns columns(network, state, true);
   const std::size_t p = projection.columns();
+  const std::size_t n = columns.basis();
   ProductSums sums({.rows = p, .columns = p + 1, .upper = true});
-  double* const projected = LayOut((p + 1) * kStride + columns.scratch(), sums);  // P, then the error
+  ProductSums by_basis({.rows = pq == nullptr ? 0 : p, .columns = n});
+  // P, then the error.
+  double* const projected = LayOut((p + 1) * kStride + columns.scratch(), sums, by_basis);
   columns.start(projected + (p + 1) * kStride);
   for (std::size_t c = 0; c < p; ++c) sums.left[c] = {projected + c * kStride, nullptr};
+  std::copy_n(sums.left.begin(), by_basis.left.size(), by_basis.left.begin());
   sums.right = projected;
   ForEachBlock(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
@@ -72,18 +76,24 @@ void ProjectedSums(const SeparableNetwork& network, SeparableState& state, const
                  projected);
     std::copy_n(columns.error(), rows, projected + p * kStride);
     sums.add(rows);
+    by_basis.right = columns.q();
+    by_basis.add(rows);
   });
   columns.leave();
   sums.finish();
+  by_basis.finish();
   for (std::size_t c = 0; c < p; ++c) {
     for (std::size_t r = 0; r <= c; ++r) pp(c, r) = sums.total(r, c);
     pe[c] = sums.total(c, p);
   }
+  for (std::size_t c = 0; c < by_basis.left.size(); ++c) {
+    for (std::size_t k = 0; k < n; ++k) (*pq)(c, k) = by_basis.total(c, k);
+  }
 }
 
-// qᵀs of the second derivative as it is, in a first pass that leaves s where columns are kept.
-void SecondBasisSums(const SeparableNetwork& network, SeparableColumns& columns, const double* direction,
+void SecondBasisSums(const SeparableNetwork& network, SeparableState& state, const double* direction,
                      double* q_second) {
+  SeparableColumns columns(network, state, true);
   ProductSums sums({.rows = 1, .columns = columns.basis()});
   columns.start(LayOut(columns.scratch(), sums));
   ForEachBlock(network.samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
@@ -93,29 +103,24 @@ void SecondBasisSums(const SeparableNetwork& network, SeparableColumns& columns,
     sums.right = columns.q();
     sums.add(rows);
   });
-  columns.leave();
+  columns.leave(Kept::second);
   sums.finish();
   for (std::size_t c = 0; c < columns.basis(); ++c) q_second[c] = sums.total(0, c);
 }
 
 void SecondSums(const SeparableNetwork& network, SeparableState& state, const double* direction,
-                const Matrix& gram_inverse, double* d_second, double* q_second) {
+                std::span<const double> removed, double* d_second, double* q_second) {
   const Samples& samples = network.samples;
   SeparableColumns columns(network, state, true);
   const std::size_t inputs = network.shape.inputs;
   const std::size_t hidden = network.shape.hidden;
   const std::size_t n = columns.basis();
-  SecondBasisSums(network, columns, direction, q_second);
-  std::vector<double> removed(n, 0.0);
-  for (std::size_t c = 0; c < n; ++c) {
-    for (std::size_t r = 0; r < n; ++r) removed[r] += gram_inverse(r, c) * q_second[c];
-  }
   ProductSums by_weight({.rows = inputs + 1, .columns = hidden, .pairs = true});
   ProductSums by_output({.rows = 1, .columns = n});
   columns.start(LayOut(columns.scratch(), by_weight, by_output));
   ForEachBlock(samples, [&](std::size_t first, std::size_t rows) HWY_ATTR {
     columns.fill(first, rows);
-    if (!columns.keeps()) SecondDerivative(network, direction, first, rows, columns);
+    if (!columns.has_second()) SecondDerivative(network, direction, first, rows, columns);
     SubtractColumns(columns.q(), removed, rows, columns.second());
     for (std::size_t k = 0; k < inputs; ++k) {
       by_weight.left[k] = {columns.second(), samples.input_data(k) + first};
@@ -127,7 +132,7 @@ void SecondSums(const SeparableNetwork& network, SeparableState& state, const do
     by_output.right = columns.q();
     by_output.add(rows);
   });
-  columns.leave();
+  columns.leave(Kept::derivatives);
   by_weight.finish();
   by_output.finish();
   for (std::size_t j = 0; j < hidden; ++j) {
@@ -147,6 +152,7 @@ namespace proofmass {
 HWY_EXPORT(BasisSums);
 HWY_EXPORT(CrossSums);
 HWY_EXPORT(ProjectedSums);
+HWY_EXPORT(SecondBasisSums);
 HWY_EXPORT(SecondSums);
 
 void sum_basis_products(const SeparableNetwork& network, SeparableState& state, BasisProducts& products) {
@@ -158,15 +164,20 @@ void sum_cross_products(const SeparableNetwork& network, SeparableState& state, 
 }
 
 void sum_projected_products(const SeparableNetwork& network, SeparableState& state, const Matrix& projection,
-                            Matrix& pp, std::span<double> pe) {
-  HWY_DYNAMIC_DISPATCH(ProjectedSums)(network, state, projection, pp, pe.data());
+                            Matrix& pp, std::span<double> pe, Matrix* pq) {
+  HWY_DYNAMIC_DISPATCH(ProjectedSums)(network, state, projection, pp, pe.data(), pq);
+}
+
+void sum_second_basis(const SeparableNetwork& network, SeparableState& state,
+                      std::span<const double> direction, std::span<double> q_second) {
+  HWY_DYNAMIC_DISPATCH(SecondBasisSums)(network, state, direction.data(), q_second.data());
 }
 
 void sum_second_derivative(const SeparableNetwork& network, SeparableState& state,
-                           std::span<const double> direction, const Matrix& gram_inverse,
+                           std::span<const double> direction, std::span<const double> removed,
                            std::span<double> d_second, std::span<double> q_second) {
   HWY_DYNAMIC_DISPATCH(SecondSums)
-  (network, state, direction.data(), gram_inverse, d_second.data(), q_second.data());
+  (network, state, direction.data(), removed, d_second.data(), q_second.data());
 }
 
 }  // namespace proofmass

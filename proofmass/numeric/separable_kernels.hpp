@@ -30,7 +30,8 @@ enum class Kept {
   nothing,
   activations,  // of the same hidden weights
   basis,        // and q, of the same transform
-  derivatives   // and the error and the units' slopes, of the same output weights
+  derivatives,  // and the error and the units' slopes, of the same output weights
+  second        // and the second derivative along the last direction
 };
 
 // Columns that the kernels work with: q, error, second derivative, activations, slopes; and what they hold,
@@ -59,14 +60,19 @@ void sum_basis_products(const SeparableNetwork& network, SeparableState& state, 
 // dq = Dᵀq, hidden weights by columns of q. Leaves the derivatives.
 void sum_cross_products(const SeparableNetwork& network, SeparableState& state, Matrix& dq);
 
-// With P = D - q * projection: pp = PᵀP, its lower triangle, pe = Pᵀe. Leaves the derivatives.
+// With P = D - q * projection: pp = PᵀP, its lower triangle, pe = Pᵀe and, unless null, pq = Pᵀq. Leaves the
+// derivatives.
 void sum_projected_products(const SeparableNetwork& network, SeparableState& state, const Matrix& projection,
-                            Matrix& pp, std::span<double> pe);
+                            Matrix& pp, std::span<double> pe, Matrix* pq);
 
-// With s the second derivative of the output along `direction` (of all weights), less its projection on q,
-// `gram_inverse` being (qᵀq)⁻¹: d_second = Dᵀs, q_second = qᵀs. Leaves the derivatives.
+// q_second = qᵀs, s the second derivative of the output along `direction` (of all weights). Leaves s.
+void sum_second_basis(const SeparableNetwork& network, SeparableState& state,
+                      std::span<const double> direction, std::span<double> q_second);
+
+// With s less q * removed: d_second = Dᵀs, q_second = qᵀs. Where s is left of an earlier pass, it is that
+// pass's. Leaves the derivatives.
 void sum_second_derivative(const SeparableNetwork& network, SeparableState& state,
-                           std::span<const double> direction, const Matrix& gram_inverse,
+                           std::span<const double> direction, std::span<const double> removed,
                            std::span<double> d_second, std::span<double> q_second);
 
 }  // namespace proofmass

@@ -216,7 +216,7 @@ TEST_P(HiddenKernels, ProductsAreThoseOfTheColumns) {
     SCOPED_TRACE(describe(c));
     SeparableState state = c.state();
     Sums sums(c);
-    sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe);
+    sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe, nullptr);
     state.kept = Kept::nothing;
     sum_cross_products(c.network(), state, sums.dq);
     state.kept = Kept::nothing;
@@ -246,7 +246,7 @@ TEST_P(HiddenKernels, ProductsAreTheSameOfColumnsKept) {
     c.weights.back() += 1.0;
     sum_cross_products(c.network(), state, sums.dq);
     EXPECT_EQ(state.kept, Kept::derivatives);
-    sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe);
+    sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe, nullptr);
     expect_projected_products(c, sums.dq, sums.pp, sums.pe);
   }
 }
@@ -259,7 +259,7 @@ TEST_P(HiddenKernels, ProductsOfMoreSamplesThanAreKept) {
   Sums sums(c);
   sum_basis_products(c.network(), state, sums.basis);
   sum_cross_products(c.network(), state, sums.dq);
-  sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe);
+  sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe, nullptr);
   expect_basis_products(c, sums.basis);
   expect_projected_products(c, sums.dq, sums.pp, sums.pe);
 }
@@ -281,30 +281,37 @@ TEST_P(HiddenKernels, SecondDerivativeIsThatOfTheScalarNetwork) {
         second[0][row] += 2 * (1 - h * h) * dz * (dv - c.output()[j] * h * dz);
       }
     }
-    // Its projection on q by a matrix that need not be the inverse.
-    const std::size_t n = c.transform.columns();
-    Matrix inverse(n, n);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < n; ++k) inverse(i, k) = 0.01 * random.normal();
-    }
     const Columns q = c.q();
-    RealVector products(n);
-    for (std::size_t k = 0; k < n; ++k) products[k] = dot(q[k], second[0]);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t row = 0; row < c.samples.rows(); ++row) {
-          second[0][row] -= q[i][row] * inverse(i, k) * products[k];
-        }
-      }
-    }
     SeparableState state = c.state();
-    std::vector<double> d_second(c.shape.hidden_weights()), q_second(n);
-    for (const Kept kept : {Kept::nothing, Kept::derivatives}) {
-      state.kept = kept;
-      sum_second_derivative(c.network(), state, direction, inverse, d_second, q_second);
-      expect_products(c.jacobian(), second, column(d_second), "d");
-      expect_products(q, second, column(q_second), "q");
+    std::vector<double> products(q.size());
+    sum_second_basis(c.network(), state, direction, products);
+    EXPECT_EQ(state.kept, Kept::second);
+    expect_products(q, second, column(products), "q");
+    // Less some of q, which need not be its projection.
+    std::vector<double> removed(q.size());
+    for (double& coefficient : removed) coefficient = random.normal();
+    for (std::size_t k = 0; k < q.size(); ++k) {
+      for (std::size_t row = 0; row < c.samples.rows(); ++row) second[0][row] -= removed[k] * q[k][row];
     }
+    std::vector<double> d_second(c.shape.hidden_weights());
+    for (const Kept kept : {Kept::second, Kept::derivatives, Kept::nothing}) {
+      state.kept = kept;
+      sum_second_derivative(c.network(), state, direction, removed, d_second, products);
+      EXPECT_EQ(state.kept, Kept::derivatives);
+      expect_products(c.jacobian(), second, column(d_second), "d");
+      expect_products(q, second, column(products), "q");
+    }
+  }
+}
+
+TEST_P(HiddenKernels, ProjectedColumnsTimesBasis) {
+  for (const Case& c : cases(5)) {
+    SCOPED_TRACE(describe(c));
+    SeparableState state = c.state();
+    Sums sums(c);
+    Matrix pq(c.shape.hidden_weights(), c.transform.columns());
+    sum_projected_products(c.network(), state, c.projection, sums.pp, sums.pe, &pq);
+    expect_products(c.projected(), c.q(), pq, "pq");
   }
 }
 

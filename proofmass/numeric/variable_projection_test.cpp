@@ -108,8 +108,13 @@ Matrix kaufman_jacobian(const Case& c, const Vector& output_weights) {
   return jacobian;
 }
 
-RC_GTEST_PROP(SeparablePerceptron, LinearisesByKaufmansJacobian, (std::uint64_t seed)) {
-  const Case c(seed);
+// The largest error of what linearise gives at the case's weights, the normal equations' relative to the
+// longest column of the Jacobian, the gradient's relative to that and the residual.
+struct LinearisationErrors {
+  double normal = 0.0, gradient = 0.0;
+};
+
+LinearisationErrors linearisation_errors(const Case& c) {
   const std::size_t p = c.shape.hidden_weights();
   SeparablePerceptron problem(c.shape, c.samples);
   (void)problem.evaluate(c.weights);
@@ -123,13 +128,22 @@ RC_GTEST_PROP(SeparablePerceptron, LinearisesByKaufmansJacobian, (std::uint64_t 
   const LeastSquaresFit fit = reference_fit(c.shape, c.weights, c.samples);
   double size = 0.0;
   for (std::size_t i = 0; i < p; ++i) size = std::max(size, dot(jacobian.column(i), jacobian.column(i)));
+  LinearisationErrors errors;
   for (std::size_t i = 0; i < p; ++i) {
-    RC_ASSERT(std::abs(gradient[i] - dot(jacobian.column(i), fit.residuals)) <=
-              1e-9 * std::sqrt(size * fit.rss));
+    const double error = std::abs(gradient[i] - dot(jacobian.column(i), fit.residuals));
+    errors.gradient = std::max(errors.gradient, error / std::sqrt(size * fit.rss));
     for (std::size_t k = i; k < p; ++k) {
-      RC_ASSERT(std::abs(normal(k, i) - dot(jacobian.column(k), jacobian.column(i))) <= 1e-9 * size);
+      const double expected = dot(jacobian.column(k), jacobian.column(i));
+      errors.normal = std::max(errors.normal, std::abs(normal(k, i) - expected) / size);
     }
   }
+  return errors;
+}
+
+RC_GTEST_PROP(SeparablePerceptron, LinearisesByKaufmansJacobian, (std::uint64_t seed)) {
+  const LinearisationErrors errors = linearisation_errors(Case(seed));
+  RC_ASSERT(errors.gradient <= 1e-9);
+  RC_ASSERT(errors.normal <= 1e-9);
 }
 
 RC_GTEST_PROP(SeparablePerceptron, GradientIsHalfTheSlopeOfTheSumOfSquares, (std::uint64_t seed)) {
@@ -157,10 +171,10 @@ RC_GTEST_PROP(SeparablePerceptron, GradientIsHalfTheSlopeOfTheSumOfSquares, (std
   }
 }
 
-RC_GTEST_PROP(SeparablePerceptron, CurvatureIsThatOfTheResidualsAlongTheDirection, (std::uint64_t seed)) {
-  Case c(seed);
+// The largest error of curvature at the case's weights, relative to the lengths of the column and of the
+// second derivative.
+double curvature_error(Case& c, SeparablePerceptron& problem) {
   const std::size_t p = c.shape.hidden_weights();
-  SeparablePerceptron problem(c.shape, c.samples);
   (void)problem.evaluate(c.weights);
   problem.accept();
   Matrix normal(p, p);
@@ -169,23 +183,70 @@ RC_GTEST_PROP(SeparablePerceptron, CurvatureIsThatOfTheResidualsAlongTheDirectio
   // So short that the step within the kernel hardly sees the third derivative.
   Vector direction = test::random_vector(p, c.random);
   for (double& d : direction) d *= 1e-3;
-  RC_ASSERT(problem.curvature(direction, result));
+  if (!problem.curvature(direction, result)) return std::numeric_limits<double>::infinity();
 
   const Matrix jacobian = kaufman_jacobian(c, problem.output_weights());
   const Vector ahead = reference_fit(c.shape, moved(c.weights, 1.0, direction), c.samples).residuals;
   const Vector here = reference_fit(c.shape, c.weights, c.samples).residuals;
   const Vector behind = reference_fit(c.shape, moved(c.weights, -1.0, direction), c.samples).residuals;
   Vector second(here.size());
-  for (std::size_t row = 0; row < here.size(); ++row)
+  for (std::size_t row = 0; row < here.size(); ++row) {
     second[row] = ahead[row] - 2.0 * here[row] + behind[row];
+  }
+  double error = 0.0;
   for (std::size_t i = 0; i < p; ++i) {
     const auto column = jacobian.column(i);
     const double size = std::sqrt(dot(column, column) * dot(second, second));
-    RC_ASSERT(std::abs(result[i] - dot(column, second)) <= 1e-2 * size);
+    error = std::max(error, std::abs(result[i] - dot(column, second)) / size);
   }
-  result.assign(p, 0.0);
-  const Vector nowhere(p, std::numeric_limits<double>::quiet_NaN());
+  return error;
+}
+
+RC_GTEST_PROP(SeparablePerceptron, CurvatureIsThatOfTheResidualsAlongTheDirection, (std::uint64_t seed)) {
+  Case c(seed);
+  SeparablePerceptron problem(c.shape, c.samples);
+  RC_ASSERT(curvature_error(c, problem) <= 1e-2);
+  const Vector nowhere(c.weights.size(), std::numeric_limits<double>::quiet_NaN());
+  Vector result(c.weights.size(), 0.0);
   RC_ASSERT(!problem.curvature(nowhere, result));
+}
+
+// Samples too many for their columns to be kept: some of them, evenly spaced, tell the way.
+Case many_samples(std::uint64_t seed) {
+  Case c(seed, 40960);
+  c.shape = {.inputs = c.shape.inputs, .hidden = 4};
+  c.weights = nguyen_widrow(c.shape, c.random);
+  return c;
+}
+
+void expect_exact(Case& c) {
+  SeparablePerceptron problem(c.shape, c.samples);
+  const double rss = reference_fit(c.shape, c.weights, c.samples).rss;
+  EXPECT_NEAR(problem.evaluate(c.weights), rss, 1e-11 * rss);
+  EXPECT_NEAR(problem.estimate(c.weights), rss, 1e-4 * rss);
+  const LinearisationErrors errors = linearisation_errors(c);
+  EXPECT_LE(errors.gradient, 1e-12);
+  EXPECT_LE(errors.normal, 1e-12);
+  EXPECT_LE(curvature_error(c, problem), 1e-2);
+}
+
+TEST(SeparablePerceptron, IsExactOnManySamples) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    Case c = many_samples(seed);
+    expect_exact(c);
+  }
+}
+
+// The first and every tenth sample, all that are looked at beforehand, are from one corner.
+TEST(SeparablePerceptron, IsExactWhereSomeSamplesTellLittleOfTheOthers) {
+  Case c = many_samples(4);
+  ASSERT_EQ(evenly_spaced(c.samples, kNoColumns, 4096).samples.input_data(0)[1], c.samples.input_data(0)[10]);
+  for (std::size_t row = 0; row < c.samples.rows(); ++row) {
+    if (row % 10 > 0) continue;
+    for (std::size_t k = 0; k < c.shape.inputs; ++k) c.samples.input(k)[row] = 0.3 + 0.1 * c.random.normal();
+  }
+  expect_exact(c);
 }
 
 // Spoils the last unit of a network; the best that is left is the fit without it, or with it where it is
