@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // tanh of a vector, compiled once for every instruction set: included through foreach_target, so without an
-// ordinary include guard. A fine value takes 13 multiplications, fused ones counted once, with AVX-512 and
-// its table 9 and two permutations; two bounds, a shift and one division; additions have ports of their own.
-// One that is not fine and whose argument comes scaled takes two multiplications and a permutation less.
+// ordinary include guard. A fine value, its argument scaled beforehand, takes 12 multiplications, fused ones
+// counted once, with AVX-512 and its table 8 and two permutations; two bounds, a shift and one division;
+// additions have ports of their own. One that is not fine takes a multiplication less, and a permutation.
 #if defined(PROOFMASS_HYPERBOLIC_TANGENT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_HYPERBOLIC_TANGENT_INL
 #undef PROOFMASS_HYPERBOLIC_TANGENT_INL

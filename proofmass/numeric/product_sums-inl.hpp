@@ -69,29 +69,6 @@ HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::siz
   }
 }
 
-// The sum of the lanes of each vector, `size` of them.
-HWY_INLINE void SumLanes(const double* vectors, std::size_t size, double* sums) {
-  std::size_t i = 0;
-#if HWY_TARGET <= HWY_AVX3
-  // Two by two, each sum of two vectors holding theirs side by side, until one vector holds those of eight.
-  const auto beside = [](V a, V b) HWY_ATTR {
-    return hn::Add(hn::InterleaveLower(kD, a, b), hn::InterleaveUpper(kD, a, b));
-  };
-  const auto halves = [](V a, V b) HWY_ATTR {
-    return hn::Add(hn::ConcatLowerLower(kD, b, a), hn::ConcatUpperUpper(kD, b, a));
-  };
-  for (; i + 8 <= size; i += 8) {
-    const auto load = [&](std::size_t k) HWY_ATTR { return hn::LoadU(kD, vectors + (i + k) * kLanes); };
-    const V low = halves(beside(load(0), load(1)), beside(load(4), load(5)));
-    const V high = halves(beside(load(2), load(3)), beside(load(6), load(7)));
-    const V even = hn::OddEvenBlocks(high, low);
-    const V odd = hn::SwapAdjacentBlocks(hn::OddEvenBlocks(low, high));
-    hn::StoreU(hn::Add(even, odd), kD, sums + i);
-  }
-#endif
-  for (; i < size; ++i) sums[i] = hn::GetLane(hn::SumOfLanes(kD, hn::LoadU(kD, vectors + i * kLanes)));
-}
-
 using TileKernel = void(const Factors* left, const double* right, std::size_t rows, bool first, double* acc);
 
 // The tiles of 1, 2, … columns.
@@ -148,9 +125,11 @@ class ProductSums {
   // Sums up the lanes: after the last of one block or more, before any total is asked for.
   void finish() {
     for (const Tile& tile : tiles_) {
-      for (std::size_t r = 0; r < tile.tall; ++r) {
-        SumLanes(tile.sums + r * tile.wide * kLanes, tile.wide,
-                 totals_ + (tile.row + r) * columns_ + tile.column);
+      const double* sums = tile.sums;
+      for (std::size_t r = tile.row; r < tile.row + tile.tall; ++r) {
+        for (std::size_t c = tile.column; c < tile.column + tile.wide; ++c, sums += kLanes) {
+          totals_[r * columns_ + c] = hn::GetLane(hn::SumOfLanes(kD, hn::LoadU(kD, sums)));
+        }
       }
     }
   }
