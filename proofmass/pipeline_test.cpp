@@ -190,6 +190,22 @@ INSTANTIATE_TEST_SUITE_P(AllMethods, Run, testing::ValuesIn(methods().begin(), m
                            return label;
                          });
 
+TEST(RunOls, SaysWhenTestRowsAreUnlikeTheOthers) {
+  SilentProgress progress;
+  Dataset record = test::make_twin();
+  const auto notes = [&] { return run(record, find_method("ols"), small(), {}, progress).diagnostics.notes; };
+  EXPECT_THAT(notes(), testing::Not(testing::Contains(HasSubstr("on the test rows"))));
+  for (const std::size_t row : split_rows(record.rows(), {}, 1).test) record.output[row] *= 1.01;
+  EXPECT_THAT(notes(), testing::Contains(HasSubstr("more than three times that on the training rows")));
+}
+
+TEST(RunBp, RefusesAShareThatLeavesNoValidationRows) {
+  SilentProgress progress;
+  const SplitOptions none{.validation_share = 1e-4, .early_stopping = true};
+  EXPECT_THROW((void)run(test::make_twin(), find_method("bp"), small(), none, progress), Error);
+  EXPECT_NO_THROW((void)run(test::make_twin(), find_method("ols"), small(), none, progress));
+}
+
 // The scaling too is learned from the rows that train.
 TEST(RunBp, LearnsItsScalingFromTheTrainingRows) {
   const Dataset record = test::make_twin();

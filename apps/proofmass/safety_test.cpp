@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "support/command_line.hpp"
 
@@ -81,6 +82,24 @@ TEST_F(Safety, OverflowIsRefused) {
       proofmass({"identify", write("huge.csv", record), "--terms", "K0,Ki", "--json", at("h.json")}), 3,
       {"huge.csv", "column 'E'"});
   EXPECT_FALSE(exists("h.json"));
+}
+
+// Whether the row trains or tests.
+TEST_F(Safety, ValuesBeyondTheRangeOfNumbersAreRefusedByTheirLine) {
+  const std::pair<const char*, const char*> beyond[] = {{"E", "17,1e+300"}, {"Ai", "-1e+150,34"}};
+  for (const auto& [column, row] : beyond) {
+    std::string text = "Ai,E\n";
+    for (int k = 0; k < 40; ++k) {
+      text +=
+          k == 17 ? std::string(row) + "\n" : std::to_string(k) + "," + std::to_string(2 * k + k % 3) + "\n";
+    }
+    const std::string file = write("beyond.csv", text);
+    for (const char* const seed : {"1", "2", "3", "4", "5", "6"}) {
+      expect_failure(proofmass({"identify", file, "--terms", "K0,Ki", "--seed", seed}), 3,
+                     {"beyond.csv:19", column, "in size"});
+    }
+    expect_failure(proofmass({"inspect", file}), 3, {"beyond.csv:19", column});
+  }
 }
 
 TEST_F(Safety, UncertaintiesBeyondTheRangeOfNumbersAreRefused) {

@@ -3,14 +3,15 @@
 
 Operations of the multiplication ports a sample, for a network of I inputs, H units and D = H (I + 2) + 1 weights; a
 fused product counts once, a division too, though it takes longer. Loads, stores and additions, which have ports of
-their own, are taken to be free, and with them products with a column of ones. The counts are those of our kernels (proofmass/numeric/*-inl.hpp); a JᵀJ of whole
-columns would take D (D + 1) / 2 where ours takes products of slopes with products of inputs.
+their own, are taken to be free, and with them products with a column of ones. The counts are those of our kernels
+(proofmass/numeric/*-inl.hpp); a JᵀJ of whole columns would take D (D + 1) / 2 where ours takes products of slopes with
+products of inputs.
 """
 
 TANH = 11  # two bounds, six of the polynomial, one of the table, m; the quotient
 FINE_TANH = 13  # of training: one more of the polynomial, and of the table
 UNIT_OUTPUT = 1  # v_j h_j, summed; the argument b_j + w_j . x takes I
-RESIDUAL = 2  # target - output; its square, summed
+RESIDUAL = 2  # less the padding's; its square, summed
 UNIT_SLOPE = 1  # 1 - h_j²; output weights multiply the sums
 TANH_PASSES = 1  # an epoch needs tanh at its trial point alone: the Jacobian is at the last one accepted
 
@@ -40,7 +41,8 @@ def solution(inputs, hidden):
 
 
 def kernels(inputs, hidden):
-    return TANH_PASSES * forward(inputs, hidden, FINE_TANH) + jacobian(inputs, hidden) + normal_equations(inputs, hidden)
+    trials = TANH_PASSES * forward(inputs, hidden, FINE_TANH)
+    return trials + jacobian(inputs, hidden) + normal_equations(inputs, hidden)
 
 
 def epoch(inputs, hidden, rows):

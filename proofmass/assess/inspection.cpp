@@ -62,6 +62,7 @@ void add_repeats(Inspection& inspection, const Dataset& record) {
 }
 
 void add_presets(Inspection& inspection, const Dataset& record) {
+  require_plausible_rows(record);
   const TermSums sums(record, parse_terms("full"));
   require_plausible_sizes(sums);
   for (const char* preset : {"linear", "quadratic", "paper", "full"}) {

@@ -117,6 +117,9 @@ TEST(Bp, RefusesANetworkThatCouldNotBeTrained) {
     EXPECT_THAT(error.what(), HasSubstr("R² -"));
   }
   options.network.mu = 1e-3;
+  options.network.minimum_gradient = 1e300;  // small enough before the first step
+  EXPECT_THROW((void)identify(test::make_twin(), options), Error);
+  options.network.minimum_gradient = 0.0;
   options.network.epochs = 1;  // as asked, however poor
   EXPECT_EQ(identify(test::make_twin(), options).ending.status, EndingStatus::iteration_limit);
 }

@@ -109,6 +109,17 @@ void require_rows(const Dataset& data, const TermList& terms) {
 constexpr double kLargestAcceleration = 1e40;  // g
 constexpr double kLargestOutput = 1e100;
 
+void require_rows_up_to(double limit, const Dataset& record, const std::vector<double>& values,
+                        std::string_view column) {
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (std::abs(values[row]) <= limit) continue;
+    throw bad_data({.file = record.source,
+                    .row = record.line.empty() ? row + 1 : record.line[row],
+                    .column = std::string(column)},
+                   fmt::format("{}", values[row]), fmt::format("a value of at most {:.0g} in size", limit));
+  }
+}
+
 void require_size(double largest, double limit, const Dataset& data, std::string_view column) {
   if (largest == 0.0 || (largest <= limit && largest >= 1.0 / limit)) return;
   throw bad_data({.file = data.source, .row = 0, .column = std::string(column)},
@@ -125,6 +136,13 @@ void require_varying_output(const TermSums& sums) {
 }
 
 }  // namespace
+
+void require_plausible_rows(const Dataset& record) {
+  for (const Axis axis : record.axes()) {
+    require_rows_up_to(kLargestAcceleration, record, record.along(axis), axis_name(axis));
+  }
+  require_rows_up_to(kLargestOutput, record, record.output, "E");
+}
 
 void require_plausible_sizes(const TermSums& sums) {
   for (const Axis axis : sums.data().axes()) {

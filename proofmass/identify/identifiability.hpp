@@ -44,8 +44,11 @@ enum class RankLossPolicy { refuse, drop };
 // The same for the terms summed, which the caller then fits from the same sums.
 [[nodiscard]] Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy);
 
-// Throws bad data when accelerations or outputs are so large or so small that their products leave the range
-// of double precision.
+// Throws bad data, naming the row, when an acceleration or output is so large that products with it leave the
+// range of double precision.
+void require_plausible_rows(const Dataset& record);
+
+// The same of the largest, and when they are so small that their products do.
 void require_plausible_sizes(const TermSums& sums);
 
 }  // namespace proofmass

@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
-#include "proofmass/identify/design_matrix.hpp"
 #include "proofmass/identify/network_data.hpp"
-#include "proofmass/numeric/least_squares.hpp"
+#include "proofmass/identify/term_sums.hpp"
+#include "proofmass/numeric/normal_solution.hpp"
 #include "proofmass/numeric/perceptron.hpp"
 #include "proofmass/numeric/triangular_accumulator.hpp"
 
@@ -43,13 +44,12 @@ void tangent_row(const PerceptronShape& shape, const std::vector<double>& weight
 Matrix joint_factor(const TrainedNetwork& network, const Dataset& data, const TermList& terms) {
   const PerceptronShape shape{network.inputs.size(), network.hidden};
   const Samples samples = scale_rows(network, data);
-  const Matrix design = design_matrix(data, terms);
   TriangularAccumulator accumulator(terms.size() + shape.parameters());
   Matrix block(kBlockRows, terms.size() + shape.parameters());
   for (std::size_t first = 0; first < data.rows(); first += kBlockRows) {
     const std::size_t rows = std::min(kBlockRows, data.rows() - first);
     for (std::size_t r = 0; r < rows; ++r) {
-      for (std::size_t c = 0; c < terms.size(); ++c) block(r, c) = design(first + r, c);
+      for (std::size_t c = 0; c < terms.size(); ++c) block(r, c) = regressor(terms[c], data.at(first + r));
       std::array<double, 3> x{};
       for (std::size_t k = 0; k < shape.inputs; ++k) x[k] = samples.input_data(k)[first + r];
       tangent_row(shape, network.weights, x, block, r, terms.size());
@@ -85,11 +85,16 @@ double tanh_derivative(double t, int k) {
   return derivatives[static_cast<std::size_t>(k)];
 }
 
+// Least squares of the rows' output on the terms, by sums over the rows.
+NormalSolution fit_terms(const Dataset& rows, const TermList& terms) {
+  const TermSums sums(rows, terms);
+  return solve_normal_equations(sums.gram(), sums.rows(terms));
+}
+
 }  // namespace
 
 ProjectedCoefficients project_onto_terms(const TrainedNetwork& network, const Dataset& data,
                                          const TermList& terms) {
-  const Matrix design = design_matrix(data, terms);
   const std::vector<double> outputs = network_outputs(network, data);
   ProjectedCoefficients projected;
   std::vector<double> residual(outputs.size());
@@ -98,7 +103,10 @@ ProjectedCoefficients project_onto_terms(const TrainedNetwork& network, const Da
     projected.rss += residual[r] * residual[r];
   }
 
-  LeastSquaresFit fit = solve_least_squares(design, outputs);
+  Dataset rows;
+  rows.acceleration = data.acceleration;
+  rows.output = outputs;
+  NormalSolution fit = fit_terms(rows, terms);
   projected.fit.coefficients = std::move(fit.coefficients);
   projected.fit.vif = std::move(fit.vif);
   const std::size_t weights = network.weights.size();
@@ -107,7 +115,8 @@ ProjectedCoefficients project_onto_terms(const TrainedNetwork& network, const Da
         projected_covariance(joint_factor(network, data, terms), terms.size(),
                              projected.rss / static_cast<double>(data.rows() - weights));
   }
-  const LeastSquaresFit missed = solve_least_squares(design, residual);
+  rows.output = std::move(residual);
+  const NormalSolution missed = fit_terms(rows, terms);
   projected.deviation = missed.coefficients;
   projected.induced_deviation =
       std::sqrt(std::max(0.0, projected.rss - missed.rss) / static_cast<double>(data.rows()));

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/design_matrix.hpp"
 #include "proofmass/identify/ending_status.hpp"
 #include "proofmass/identify/network_coefficients.hpp"
 #include "proofmass/identify/network_data.hpp"
 #include "proofmass/identify/static_fit.hpp"
-#include "proofmass/numeric/least_squares.hpp"
+#include "proofmass/identify/term_sums.hpp"
+#include "proofmass/numeric/normal_solution.hpp"
 #include "proofmass/numeric/perceptron_kernels.hpp"
 
 namespace proofmass {
@@ -115,7 +115,7 @@ void add_coefficients(Identification& result, const NetworkTask& task, const Ide
 
 // Refuses what is no fit: errors beyond all measure, or a network as it started that explains nothing.
 void require_fit(std::string_view method, const NetworkTask& task, const TrainingState& best) {
-  const auto& [cause, reason] = best.termination;
+  const std::string& reason = best.termination.reason;
   if (!std::isfinite(best.training_rmse)) {
     throw refusal(fmt::format("{} found no network with a finite error: {}", method, reason));
   }
@@ -126,7 +126,7 @@ void require_fit(std::string_view method, const NetworkTask& task, const Trainin
   for (const double e : output) variance += (e - mean) * (e - mean) / rows;
   const double rmse = best.training_rmse * output_half_range(task.network);
   const double r2 = 1.0 - rmse * rmse / variance;
-  if (cause != Cause::stalled || best.epochs > 0 || r2 > 0.0) return;
+  if (best.epochs > 0 || r2 > 0.0) return;
   throw refusal(
       fmt::format("{} could not be trained: {} in the first epoch, and the network as it started explains "
                   "nothing of the output (R² {:.3g} on the training rows)",
@@ -134,9 +134,10 @@ void require_fit(std::string_view method, const NetworkTask& task, const Trainin
 }
 
 double least_squares_error(const Dataset& training, const TrainedNetwork& network) {
-  const TermList terms = analyse_identifiability(training, parse_terms("full")).identified;
+  const TermSums sums(training, parse_terms("full"));
+  const TermList terms = analyse_identifiability(sums, sums.terms()).identified;
   if (terms.empty() || training.rows() < terms.size()) return 0.0;
-  const double rss = solve_least_squares(design_matrix(training, terms), training.output).rss;
+  const double rss = solve_normal_equations(sums.gram(terms), sums.rows(terms)).rss;
   return std::sqrt(rss / static_cast<double>(training.rows())) / output_half_range(network);
 }
 

@@ -22,7 +22,7 @@ bool shorter(const AlignedColumn& a, const AlignedColumn& b) { return a.size() <
 
 BlockColumns::BlockColumns(std::size_t columns, std::size_t padded_rows) : columns_(columns) {
   const std::size_t size = (padded_rows + kRows - 1) / kRows * columns * kStride;
-  if (size > kMost) return;
+  if (size == 0 || size > kMost) return;
   const auto longest = std::max_element(spare().begin(), spare().end(), shorter);
   if (longest->size() >= size) storage_ = std::exchange(*longest, {});
   if (storage_.size() < size) storage_.resize(size);

@@ -18,7 +18,7 @@ namespace proofmass {
 namespace HWY_NAMESPACE {
 
 // The matrix and the inverse of its pivots, as far as it is factored.
-struct Factors {
+struct PartFactors {
   double* matrix;
   std::size_t n, stride;
   double* inverse;
@@ -31,7 +31,7 @@ struct Factors {
 // other column goes to sums of its own, so that fewer products wait for the one before. What a vector holds
 // above the diagonal counts as zero, and is spoilt.
 template <std::size_t kVectors>
-HWY_INLINE void Eliminate(const Factors& factors, std::size_t j, std::size_t first) {
+HWY_INLINE void Eliminate(const PartFactors& factors, std::size_t j, std::size_t first) {
   double* const column = factors.column(j) + first;
   V rest[2][kVectors];
 #pragma GCC unroll 5
@@ -65,7 +65,7 @@ constexpr std::size_t kMost = 5;
 
 // The last rows, up to kVectors vectors of them.
 template <std::size_t kVectors>
-HWY_INLINE void EliminateRest(const Factors& factors, std::size_t j, std::size_t first) {
+HWY_INLINE void EliminateRest(const PartFactors& factors, std::size_t j, std::size_t first) {
   if (first + kVectors * kLanes == factors.stride) return Eliminate<kVectors>(factors, j, first);
   if constexpr (kVectors > 1) EliminateRest<kVectors - 1>(factors, j, first);
 }
@@ -74,7 +74,7 @@ HWY_INLINE void EliminateRest(const Factors& factors, std::size_t j, std::size_t
 // registers while those before it pass by. Columns stay as they are, times their pivot, so that the next one
 // waits for a division but no root.
 bool Factor(double* matrix, std::size_t n, std::size_t stride, double* inverse) {
-  const Factors factors{matrix, n, stride, inverse};
+  const PartFactors factors{matrix, n, stride, inverse};
   for (std::size_t j = 0; j < factors.n; ++j) {
     double* const column = factors.column(j);
     std::size_t first = factors.top(j);
@@ -92,7 +92,7 @@ bool Factor(double* matrix, std::size_t n, std::size_t stride, double* inverse) 
 // The solution for -b; `rest` is scratch of as many values as a column.
 void Solve(double* matrix, std::size_t n, std::size_t stride, double* inverse, const double* b, double* rest,
            double* solution) {
-  const Factors factors{matrix, n, stride, inverse};
+  const PartFactors factors{matrix, n, stride, inverse};
   std::transform(b, b + factors.n, rest, std::negate<>());
   std::fill(rest + factors.n, rest + factors.stride, 0.0);
   for (std::size_t j = 0; j < factors.n; ++j) {

@@ -9,7 +9,8 @@
 //   JᵀJ, Jᵀe, eᵀe         by slopes and products of inputs: I (I + 1) / 2 + H (H + 1) / 2 (1 + I (I + 3) / 2)
 //                         + H I (H + 2) + H (H + 1) + (H + 1) (H + 2) / 2
 // 3-7-1: 119 for activations and error, 693 for the normal equations by all weights with them (a dense JᵀJ
-// with Jᵀe and eᵀe alone would take 703).
+// with Jᵀe and eᵀe alone would take 703). Triangles take one more for every two rows, the element below the
+// diagonal that a tile holds.
 #if defined(PROOFMASS_PERCEPTRON_KERNELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PERCEPTRON_KERNELS_INL
 #undef PROOFMASS_PERCEPTRON_KERNELS_INL
@@ -20,7 +21,9 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -40,7 +43,11 @@ struct Network {
         output(all_weights + the_shape.hidden_weights()),
         fixed(fixed_columns),
         exponents(the_shape.hidden_weights()) {
-    std::transform(all_weights, output, exponents.begin(), [](double w) { return kPowerOfTwo * w; });
+    // An infinite weight would make the padding's zeros no numbers.
+    std::transform(all_weights, output, exponents.begin(), [](double w) {
+      constexpr double kLargest = std::numeric_limits<double>::max();
+      return std::isinf(w) ? w : std::clamp(kPowerOfTwo * w, -kLargest, kLargest);
+    });
   }
 
   const PerceptronShape& shape;

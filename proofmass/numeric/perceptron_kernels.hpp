@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Batch kernels over samples: the whole arithmetic of a perceptron's training, vectorised, chosen at run time
-// for the processor (SSE4, AVX2, AVX-512). One thread each; results depend on the target chosen only by
-// rounding.
+// for the processor (SSE4, AVX2, AVX-512). One thread each, of one sample at least; results depend on the
+// target chosen only by rounding.
 #pragma once
 
 #include <cstddef>

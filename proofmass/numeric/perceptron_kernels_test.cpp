@@ -91,6 +91,16 @@ TEST_P(PerceptronKernels, ExtremeWeightsGiveTheScalarOutputs) {
   }
 }
 
+TEST_P(PerceptronKernels, TheLargestWeightsLeaveInputsOfZeroAndThePaddingAlone) {
+  const PerceptronShape shape{.inputs = 1, .hidden = 1};
+  Samples samples(1, 3);
+  samples.input(0)[1] = -1.0;
+  std::vector<double> outputs(3);
+  perceptron_outputs(shape, std::vector{1.7e308, 0.0, 2.0, 0.5}, samples, outputs);
+  EXPECT_EQ(outputs, (std::vector{0.5, -1.5, 0.5}));
+  EXPECT_EQ(perceptron_sse(shape, std::vector{1.7e308, 0.0, 2.0, 0.5}, samples), 2.75);
+}
+
 TEST_P(PerceptronKernels, WeightsThatAreNotNumbersNeverGiveAFiniteSumOfSquares) {
   RandomStream random(3);
   const PerceptronShape shape{.inputs = 2, .hidden = 3};

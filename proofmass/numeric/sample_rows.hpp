@@ -14,7 +14,8 @@ struct SampleRows {
   ColumnBlock fixed;
 };
 
-// `rows` of them, at most all, evenly spaced.
-[[nodiscard]] SampleRows evenly_spaced(const Samples& samples, const ColumnBlock& fixed, std::size_t rows);
+// One of each of `rows` equal stretches, at most as many as there are samples.
+[[nodiscard]] SampleRows one_of_each_stretch(const Samples& samples, const ColumnBlock& fixed,
+                                             std::size_t rows);
 
 }  // namespace proofmass

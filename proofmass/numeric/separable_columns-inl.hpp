@@ -11,7 +11,7 @@
 //   PᵀP, Pᵀe              p (p + 3) / 2
 //   Pᵀq                   p n, where asked for
 //   second derivative     H (I + 5), its part in q 3 n, Dᵀs p + I + 1
-// 3-7-1, n = 8: 36, 45, 252, 245, 434, 224 and 112.
+// 3-7-1, n = 8: 36, 45, 252, 245, 434, 224 and 112; triangles take one more for every two rows.
 #if defined(PROOFMASS_SEPARABLE_COLUMNS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_SEPARABLE_COLUMNS_INL
 #undef PROOFMASS_SEPARABLE_COLUMNS_INL

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batch kernels of variable projection, vectorised, chosen at run time for the processor. One thread each.
+// Batch kernels of variable projection, vectorised, chosen at run time for the processor. One thread each,
+// of one sample at least.
 #pragma once
 
 #include <cstddef>

@@ -59,7 +59,7 @@ SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Sam
     view(solution->transform).setIdentity();
   }
   if (current_.state.columns.keeps() || samples.rows() < 2 * kPilotRows) return;
-  pilot_rows_ = std::make_unique<const SampleRows>(evenly_spaced(samples, fixed, kPilotRows));
+  pilot_rows_ = std::make_unique<const SampleRows>(one_of_each_stretch(samples, fixed, kPilotRows));
   pilot_ = std::make_unique<SeparablePerceptron>(shape_, pilot_rows_->samples, pilot_rows_->fixed);
 }
 
@@ -103,8 +103,8 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
   trial_.state.kept = Kept::nothing;
   // Each pass finds the error e of the weights so far, and the weights' correction from its normal equations
   // on q: Newton's iteration for a linear problem, which ends when rounding no longer matters. Columns that
-  // are badly conditioned are first made orthogonal. From a good guess and the current point's transform one
-  // pass is usually enough.
+  // are badly conditioned are first made orthogonal. From a good guess and the transform of a point nearby,
+  // or of some of the samples, one pass is usually enough.
   for (int pass = 1; pass <= kPasses; ++pass) {
     sum_products(trial_);
     if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
