@@ -61,7 +61,8 @@ check_format() { sources | xargs -0 clang-format --dry-run -Werror; }
 check_tidy() {
   configure tidy || return
   find proofmass apps -name '*.cpp' ! -name '*_test.cpp' -printf '%s %p\0' | sort -z -n -r | cut -z -d ' ' -f 2 |
-    xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy --extra-arg=-Wno-unknown-warning-option 2>&1 | { grep -v '^[0-9]* warnings\? generated\.$' || true; }
+    xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/tidy --extra-arg=-Wno-unknown-warning-option 2>&1 |
+    { grep -v '^[0-9]* warnings\? generated\.$' || true; }
 }
 
 # total ATTRIBUTE: of all ctest runs of this call.
