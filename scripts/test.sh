@@ -35,7 +35,8 @@ test_build() {
 launcher=()
 
 # Left out by the presets of both sanitizers: statistics over many repeats, whose code the law suite and the tests of
-# each method's errors run already, many times slower than in the optimised build, which runs them all.
+# each method's errors run already, many times slower than in the optimised build, which runs them all. ThreadSanitizer
+# leaves out, too, what runs on one thread, and laws whose code the law of threads runs.
 # ThreadSanitizer of GCC 12 cannot run where the kernel randomises more address bits than it knows.
 test_threads() {
   local launcher=()
