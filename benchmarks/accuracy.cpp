@@ -19,8 +19,8 @@
 #include "proofmass/identify/method.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/pipeline.hpp"
-#include "proofmass/stand/simulation.hpp"
-#include "proofmass/stand/simulation_file.hpp"
+#include "proofmass/stand/twin/simulation.hpp"
+#include "proofmass/stand/twin/simulation_file.hpp"
 
 namespace {
 

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "proofmass/compare.hpp"
 #include "proofmass/core/error.hpp"
-#include "proofmass/stand/simulation.hpp"
-#include "proofmass/stand/simulation_file.hpp"
-#include "proofmass/truth.hpp"
+#include "proofmass/stand/twin/simulation.hpp"
+#include "proofmass/stand/twin/simulation_file.hpp"
+#include "proofmass/study/compare.hpp"
+#include "proofmass/study/truth.hpp"
 
 namespace {
 

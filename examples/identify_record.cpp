@@ -10,7 +10,7 @@
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/method.hpp"
 #include "proofmass/pipeline.hpp"
-#include "proofmass/record/csv.hpp"
+#include "proofmass/record/csv/csv.hpp"
 
 namespace {
 

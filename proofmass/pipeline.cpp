@@ -8,13 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "proofmass/assess/intervals.hpp"
 #include "proofmass/assess/metrics.hpp"
-#include "proofmass/assess/uncertainty.hpp"
+#include "proofmass/assess/selection/hidden_search.hpp"
 #include "proofmass/core/error.hpp"
-#include "proofmass/hidden_search.hpp"
-#include "proofmass/identify/identifiability.hpp"
-#include "proofmass/identify/presets.hpp"
-#include "proofmass/identify/uncertainties.hpp"
+#include "proofmass/identify/model/identifiability.hpp"
+#include "proofmass/identify/network/presets.hpp"
+#include "proofmass/identify/regression/uncertainties.hpp"
 
 namespace proofmass {
 
@@ -29,7 +29,10 @@ std::vector<HiddenTrial> search_hidden(const Dataset& record, const Method& meth
   (void)split_rows(record.rows(), whole, options.seed);
   whole.early_stopping = false;
   const Dataset rows = record.select(split_rows(record.rows(), whole, options.seed).training);
-  std::vector<HiddenTrial> trials = try_hidden_sizes(rows, method, options, split, progress);
+  std::vector<HiddenTrial> trials =
+      try_hidden_sizes(rows, method, options,
+                       split_for_trials(rows.rows(), split, options.seed, options.network.search_repeats),
+                       split.early_stopping, progress);
   options.network.hidden = trials[choose_hidden(trials)].hidden;
   return trials;
 }

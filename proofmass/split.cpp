@@ -52,4 +52,21 @@ Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t se
           .test = part(training, rows)};
 }
 
+std::vector<Split> split_for_trials(std::size_t rows, const SplitOptions& options, std::uint64_t seed,
+                                    std::size_t trials) {
+  // The share is of all rows of the record, of which these are the training share.
+  const SplitOptions inner{.training_share = 1.0 - options.validation_share / options.training_share};
+  std::vector<Split> splits;
+  for (std::size_t r = 0; r < trials; ++r) {
+    Split drawn = split_rows(rows, inner, seed + r);
+    if (drawn.test.empty()) {
+      throw usage_error(fmt::format("a validation share of {} sets none of {} rows aside to choose by",
+                                    options.validation_share, rows));
+    }
+    splits.push_back(
+        {.training = std::move(drawn.training), .validation = std::move(drawn.test), .test = {}});
+  }
+  return splits;
+}
+
 }  // namespace proofmass

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "proofmass/record/csv.hpp"
+#include "proofmass/record/csv/csv.hpp"
 
 namespace proofmass::cli {
 

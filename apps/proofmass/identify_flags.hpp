@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "proofmass/identify/options.hpp"
+#include "proofmass/identify/model/options.hpp"
 #include "proofmass/pipeline.hpp"
 
 namespace proofmass::cli {

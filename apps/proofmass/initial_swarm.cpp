@@ -9,7 +9,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/text.hpp"
-#include "proofmass/core/text_file.hpp"
+#include "proofmass/files/text_file.hpp"
 
 namespace proofmass::cli {
 namespace {

@@ -16,8 +16,8 @@
 #include "interrupts.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
-#include "proofmass/report/version.hpp"
-#include "verbs.hpp"
+#include "proofmass/core/version.hpp"
+#include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
 namespace {

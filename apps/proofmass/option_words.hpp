@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "proofmass/identify/options.hpp"
+#include "proofmass/identify/model/options.hpp"
 
 namespace proofmass::cli {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "interrupts.hpp"
-#include "proofmass/core/atomic_file.hpp"
-#include "proofmass/report/terminal.hpp"
+#include "proofmass/files/atomic_file.hpp"
+#include "proofmass/report/terminal/terminal.hpp"
 
 namespace proofmass::cli {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "limits/tanh.hpp"
-#include "proofmass/numeric/perceptron_kernels.hpp"
+#include "proofmass/numeric/network/perceptron_kernels.hpp"
 
 namespace bench {
 

@@ -12,10 +12,10 @@
 #include <fstream>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/network_data.hpp"
-#include "proofmass/identify/network_starts.hpp"
+#include "proofmass/identify/network/scaling.hpp"
+#include "proofmass/identify/network/starts.hpp"
 #include "proofmass/split.hpp"
-#include "proofmass/stand/simulation_file.hpp"
+#include "proofmass/stand/twin/simulation_file.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // Proofmass as a contestant; contract/request.hpp has the contract.
 #include "contract/target.hpp"
 #include "ours/tasks.hpp"
+#include "proofmass/numeric/network/perceptron_kernels.hpp"
 #include "proofmass/numeric/parallel.hpp"
-#include "proofmass/numeric/perceptron_kernels.hpp"
 
 namespace {
 

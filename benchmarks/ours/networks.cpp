@@ -2,11 +2,11 @@
 #include <optional>
 
 #include "ours/tasks.hpp"
-#include "proofmass/identify/network_trainer.hpp"
-#include "proofmass/numeric/levenberg_marquardt.hpp"
+#include "proofmass/identify/network/trainer.hpp"
 #include "proofmass/numeric/matrix.hpp"
-#include "proofmass/numeric/perceptron_kernels.hpp"
-#include "proofmass/numeric/perceptron_problem.hpp"
+#include "proofmass/numeric/network/perceptron_kernels.hpp"
+#include "proofmass/numeric/network/perceptron_problem.hpp"
+#include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
 #include "proofmass/numeric/samples.hpp"
 
 namespace bench::ours {

@@ -5,7 +5,7 @@
 
 #include "ours/tasks.hpp"
 #include "proofmass/identify/method.hpp"
-#include "proofmass/record/csv.hpp"
+#include "proofmass/record/csv/csv.hpp"
 
 namespace bench::ours {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
-#include "proofmass/identify/design_matrix.hpp"
-#include "proofmass/numeric/weighted_least_squares.hpp"
+#include "proofmass/identify/model/design_matrix.hpp"
+#include "proofmass/numeric/linear/weighted_least_squares.hpp"
 
 namespace proofmass {
 namespace {

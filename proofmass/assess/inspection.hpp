@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
-#include "proofmass/identify/identifiability.hpp"
+#include "proofmass/identify/model/identifiability.hpp"
 
 namespace proofmass {
 

@@ -5,18 +5,18 @@
 #include <string>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/afsa.hpp"
-#include "proofmass/identify/bp.hpp"
-#include "proofmass/identify/eiv.hpp"
-#include "proofmass/identify/gmdh.hpp"
-#include "proofmass/identify/hybrid.hpp"
-#include "proofmass/identify/network_data.hpp"
-#include "proofmass/identify/ols.hpp"
-#include "proofmass/identify/pso_bp.hpp"
-#include "proofmass/identify/robust.hpp"
-#include "proofmass/identify/term_rows.hpp"
-#include "proofmass/identify/tls.hpp"
-#include "proofmass/identify/wls.hpp"
+#include "proofmass/identify/model/term_rows.hpp"
+#include "proofmass/identify/network/bp.hpp"
+#include "proofmass/identify/network/hybrid.hpp"
+#include "proofmass/identify/network/pso_bp.hpp"
+#include "proofmass/identify/network/scaling.hpp"
+#include "proofmass/identify/regression/eiv.hpp"
+#include "proofmass/identify/regression/ols.hpp"
+#include "proofmass/identify/regression/robust.hpp"
+#include "proofmass/identify/regression/tls.hpp"
+#include "proofmass/identify/regression/wls.hpp"
+#include "proofmass/identify/search/afsa.hpp"
+#include "proofmass/identify/search/gmdh.hpp"
 
 namespace proofmass {
 namespace {

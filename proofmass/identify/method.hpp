@@ -9,8 +9,8 @@
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/progress.hpp"
-#include "proofmass/identify/options.hpp"
-#include "proofmass/identify/uncertainties.hpp"
+#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/regression/uncertainties.hpp"
 
 namespace proofmass {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "proofmass/core/text_file.hpp"
+#include "proofmass/files/text_file.hpp"
 
 namespace proofmass {
 namespace {

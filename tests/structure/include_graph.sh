@@ -1,18 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Which module may include which (docs/design-of-the-code.md), and that public headers name no other library. The graph
-# is that of the product: a test may include what it needs to test with.
+# Which module may include which (docs/design-of-the-code.md), that no folder reaches itself through others, and that
+# public headers name no other library. The graph is that of the product: a test may include what it needs to test with.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}"
 
+# "pipeline" is what lies at the root: pipeline, split and the overview header.
 declare -A allowed=(
   [core]="core"
+  [files]="core files"
   [numeric]="numeric"
-  [record]="core record"
-  [stand]="core numeric stand"
+  [record]="core files record"
+  [stand]="core files numeric record stand"
   [identify]="core numeric stand identify"
-  [assess]="core numeric identify assess"
-  [report]="core assess report"
+  [assess]="core numeric stand identify assess"
+  [pipeline]="core files numeric record stand identify assess pipeline"
+  [study]="core files numeric record stand identify assess pipeline study"
+  [report]="core files assess study report"
 )
 bad=0
 complain() { printf '%s\n' "$*" && bad=1; }
@@ -23,7 +27,10 @@ own_includes() {
     -e 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*<((proofmass|support)\/[^>]*)>.*/\1/p' "$1"
 }
 
-check_module() {
+edges=$(mktemp)
+trap 'rm -f "$edges"' EXIT
+
+check_file() {
   local module=$1 file=$2 include target
   while read -r include; do
     case $include in
@@ -34,16 +41,30 @@ check_module() {
       *) complain "$file: includes \"$include\"; write the whole path, \"proofmass/...\"" && continue ;;
     esac
     [[ " ${allowed[$module]} " == *" $target "* ]] || complain "$file: $module must not include $include"
+    [ "${include%/*}" = "${file%/*}" ] || printf '%s %s\n' "${file%/*}" "${include%/*}" >>"$edges"
   done < <(own_includes "$file")
 }
+
+sources() { find "$@" -type f -regex '.*\.\(c\|cc\|cpp\|cpp\.in\|h\|hpp\|inc\)' ! -name '*_test.cpp'; }
 
 for folder in proofmass/*/; do
   module=$(basename "$folder")
   [ -n "${allowed[$module]-}" ] || { complain "$folder: a module that the include graph does not know" && continue; }
-  while read -r file; do
-    check_module "$module" "$file"
-  done < <(find "$folder" -type f -regex '.*\.\(c\|cc\|cpp\|cpp\.in\|h\|hpp\|inc\)' ! -name '*_test.cpp')
+  while read -r file; do check_file "$module" "$file"; done < <(sources "$folder")
 done
+# The overview shows users all that they need; nothing inside goes through it.
+while read -r file; do
+  [ "$file" = proofmass/proofmass.hpp ] || check_file pipeline "$file"
+done < <(sources proofmass -maxdepth 1)
+if found=$(grep -rlE '#[[:space:]]*include[[:space:]]*["<]proofmass/proofmass\.hpp' proofmass --include='*.[ch]pp'); then
+  complain "includes the overview header, which is for programs: $found"
+fi
+
+# Folders are sorted so that each includes those before it alone, which no circle allows.
+if ! circle=$(sort -u "$edges" | tsort 2>&1 >/dev/null); then
+  complain "these folders include one another in a circle: $(sed -n 's/^tsort: \(proofmass.*\)/\1/p' <<<"$circle" |
+    paste -sd ' ')"
+fi
 
 mapfile -t public_headers < <(find proofmass -name '*.hpp' ! -name '*-inl.hpp' ! -name '*_internal.hpp')
 while read -r line; do

@@ -14,22 +14,42 @@ try() {
   mkdir -p "$tree"/{apps,examples,proofmass/core} "$(dirname "$file")"
   echo '#pragma once' >"$tree/proofmass/core/unit.hpp"
   printf '%s\n' "${@:3}" >"$file"
+  for ((k = 0; k < ${#more[@]}; k += 2)); do
+    mkdir -p "$(dirname "$tree/${more[k]}")"
+    printf '%s\n' "${more[k + 1]}" >"$tree/${more[k]}"
+  done
+  more=()
   bash "$here/include_graph.sh" "$tree" >/dev/null || found=fails
   [ "$found" = "$wanted" ] || { printf '%s with %s %s\n' "$2" "${*:3}" "$found" && bad=1; }
 }
 
+# also FILE LINE…: one more file for the next try.
+declare -a more=()
+also() { more+=("$1" "$2"); }
+
 try passes proofmass/core/term.cpp '#include <vector>' '#include "proofmass/core/term.hpp"'
 try passes proofmass/report/json.cpp '#include "proofmass/core/term.hpp"' '#include <nlohmann/json.hpp>'
-try passes proofmass/core/term_test.cpp '#include "proofmass/report/json.hpp"'
-try fails proofmass/core/term.cpp '#include "proofmass/report/json.hpp"'
-try fails proofmass/core/term.cpp '#include <proofmass/report/json.hpp>'
+try passes proofmass/core/term_test.cpp '#include "proofmass/report/json/json.hpp"'
+try fails proofmass/core/term.cpp '#include "proofmass/report/json/json.hpp"'
+try fails proofmass/core/term.cpp '#include <proofmass/report/json/json.hpp>'
 try fails proofmass/core/term.cpp '  #  include <support/twin.hpp>'
 try fails proofmass/core/term.cpp '#include "proofmass/core/../report/json.hpp"'
 try fails proofmass/core/term.cpp '#include "term.hpp"'
 try fails proofmass/core/term.cpp '#include "proofmass/pipeline.hpp"'
-try fails proofmass/core/sub/x.cpp '#include "proofmass/report/json.hpp"'
-try fails proofmass/core/sub/deep/x.hpp '#include <proofmass/report/json.hpp>'
+try fails proofmass/core/sub/x.cpp '#include "proofmass/report/json/json.hpp"'
+try fails proofmass/core/sub/deep/x.hpp '#include <proofmass/report/json/json.hpp>'
+also proofmass/numeric/a/x.hpp '#include "proofmass/numeric/b/y.hpp"'
+try passes proofmass/numeric/b/y.hpp '#include "proofmass/numeric/b/z.hpp"'
+also proofmass/numeric/a/x.hpp '#include "proofmass/numeric/b/y.hpp"'
+try fails proofmass/numeric/b/y.hpp '#include "proofmass/numeric/a/z.hpp"'
+also proofmass/numeric/a/x.hpp '#include "proofmass/numeric/top.hpp"'
+try fails proofmass/numeric/top.cpp '#include "proofmass/numeric/a/x.hpp"'
+try fails proofmass/record/x.cpp '#include "proofmass/proofmass.hpp"'
+try fails proofmass/assess/x.cpp '#include "proofmass/split.hpp"'
+try passes proofmass/study/x.cpp '#include "proofmass/split.hpp"'
+try passes proofmass/split.cpp '#include "proofmass/numeric/random.hpp"'
+try fails proofmass/split.cpp '#include "proofmass/study/compare.hpp"'
 try fails proofmass/other/x.cpp '#include <vector>'
 try fails proofmass/core/term.hpp '#include <fmt/format.h>'
-try fails apps/x.cpp '#include "proofmass/report/json_node_internal.hpp"'
+try fails apps/x.cpp '#include "proofmass/report/json/node_internal.hpp"'
 exit $bad

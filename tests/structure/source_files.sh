@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every source file names its licence, has a snake_case name and, when it is a header, says #pragma once.
+# Every source file names its licence, has a snake_case name and, when it is a header, says #pragma once. Every source
+# belongs to a header beside it, and no folder is a hall: it holds 16 units at most (header, source and test count once).
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}"
 
@@ -16,4 +17,25 @@ while read -r file; do
     complain "$file: name it in lower case, words joined by _"
 done < <(find proofmass apps benchmarks examples tests scripts cmake .ci -type f \
   \( -name '*.[ch]pp' -o -name '*.sh' -o -name '*.cmake' -o -name CMakeLists.txt -o -path '.ci/*' \))
+
+# has_header FILE: a header of its own name, or of one that its name goes on from; for a verb's, the folder's.
+has_header() {
+  local folder=${1%/*} stem
+  stem=$(basename "$1" .cpp)
+  while [ -n "$stem" ]; do
+    [ ! -e "$folder/$stem.hpp" ] && [ ! -e "$folder/${stem}_internal.hpp" ] || return 0
+    [[ $stem == *_* ]] || break
+    stem=${stem%_*}
+  done
+  [ -e "$folder/${folder##*/}.hpp" ]
+}
+while read -r file; do
+  has_header "$file" || complain "$file: no header of that name, nor one that it is named after"
+done < <(find proofmass apps -name '*.cpp' ! -name '*_test.cpp' ! -name main.cpp)
+
+most=16
+while read -r units folder; do
+  [ "$units" -le $most ] || complain "$folder: $units units, more than $most"
+done < <(find proofmass apps -name '*.[ch]pp' | sed -E 's/(_test|_internal|-inl)?\.[ch]pp$//' | sort -u |
+  sed 's|/[^/]*$||' | sort | uniq -c)
 exit $bad

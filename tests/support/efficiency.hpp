@@ -12,8 +12,8 @@
 #include "proofmass/assess/efficient_bound.hpp"
 #include "proofmass/core/identification.hpp"
 #include "proofmass/identify/method.hpp"
-#include "proofmass/stand/simulation.hpp"
-#include "proofmass/stand/simulation_file.hpp"
+#include "proofmass/stand/twin/simulation.hpp"
+#include "proofmass/stand/twin/simulation_file.hpp"
 
 namespace proofmass::test {
 

@@ -8,8 +8,8 @@
 
 #include "proofmass/assess/efficient_bound.hpp"
 #include "proofmass/core/identification.hpp"
-#include "proofmass/stand/simulation.hpp"
-#include "proofmass/truth.hpp"
+#include "proofmass/stand/twin/simulation.hpp"
+#include "proofmass/study/truth.hpp"
 
 namespace proofmass::test {
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "proofmass/numeric/perceptron_kernels.hpp"
+#include "proofmass/numeric/network/perceptron_kernels.hpp"
 
 namespace proofmass::test {
 

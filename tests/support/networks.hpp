@@ -10,8 +10,8 @@
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/progress.hpp"
-#include "proofmass/identify/network_data.hpp"
-#include "proofmass/identify/network_starts.hpp"
+#include "proofmass/identify/network/scaling.hpp"
+#include "proofmass/identify/network/starts.hpp"
 
 namespace proofmass::test {
 

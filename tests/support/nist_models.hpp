@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "proofmass/numeric/levenberg_marquardt.hpp"
+#include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
 #include "support/dual.hpp"
 #include "support/nist.hpp"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "proofmass/numeric/perceptron.hpp"
+#include "proofmass/numeric/network/perceptron.hpp"
 #include "proofmass/numeric/random.hpp"
 #include "proofmass/numeric/samples.hpp"
 

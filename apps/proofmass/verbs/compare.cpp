@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/study/compare.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common_flags.hpp"
+#include "console_progress.hpp"
+#include "identify_flags.hpp"
+#include "interrupts.hpp"
+#include "output.hpp"
+#include "proofmass/core/error.hpp"
+#include "proofmass/core/version.hpp"
+#include "proofmass/numeric/parallel.hpp"
+#include "proofmass/report/json/comparison.hpp"
+#include "proofmass/report/terminal/comparison.hpp"
+#include "proofmass/stand/twin/simulation_file.hpp"
+#include "proofmass/study/truth.hpp"
+#include "proofmass/study/truth_doubts.hpp"
+#include "verbs/verbs.hpp"
+
+namespace proofmass::cli {
+namespace {
+
+struct CompareFlags {
+  CommonFlags common;
+  IdentifyFlags identify;
+  std::string record;
+  std::vector<std::string> methods;
+  std::vector<std::string> map;
+  std::uint64_t repeats = 1;
+  std::string json;
+  std::string truth;  // the plan that the record was simulated by, or empty
+};
+
+// The names between the commas; CLI11 would pass over empty ones.
+std::vector<std::string> names_of(const std::vector<std::string>& lists) {
+  std::vector<std::string> names;
+  for (const std::string& list : lists) {
+    std::size_t start = 0;
+    for (std::size_t comma = 0; comma != std::string::npos; start = comma + 1) {
+      comma = list.find(',', start);
+      names.push_back(list.substr(start, comma == std::string::npos ? comma : comma - start));
+    }
+  }
+  return names;
+}
+
+std::vector<Entry> entries_of(const CompareFlags& flags) {
+  const IdentifySettings settings = flags.identify.settings();
+  std::vector<Entry> entries;
+  for (const std::string& name : names_of(flags.methods)) {
+    if (name.empty())
+      throw usage_error("--methods: found an empty name, expected a method before and after every comma");
+    const auto same = [&name](const Entry& entry) { return entry.name == name; };
+    if (std::any_of(entries.begin(), entries.end(), same)) {
+      throw usage_error("--methods: '" + name + "' is listed twice");
+    }
+    entries.push_back(
+        {.name = name, .method = &find_method(name), .options = settings.options, .split = settings.split});
+  }
+  return entries;
+}
+
+// The plan that the record's file says it was simulated from; what comes by standard input is read once, and
+// says nothing.
+std::string plan_named_by(const std::string& record) {
+  if (record == "-") return {};
+  std::ifstream file(record);
+  return plan_named_in(file);
+}
+
+void add_provenance(Comparison& comparison, const Dataset& record, const IdentifyFlags& identify) {
+  for (Contestant& contestant : comparison.contestants) {
+    IdentifySettings settings = identify.settings();
+    settings.method = contestant.method;
+    for (Identification& run : contestant.runs) {
+      settings.options.seed = run.seed;
+      run.provenance = {.version = std::string(version()),
+                        .input = record.source,
+                        .input_sha256 = record.source_sha256,
+                        .options = describe(settings)};
+    }
+  }
+}
+
+void run_compare(const CompareFlags& flags) {
+  const std::vector<Entry> entries = entries_of(flags);
+  const auto columns = renames(flags.map);
+  require_writable_file(flags.json);
+  require_other_file(flags.json, {flags.record, flags.truth});
+  std::optional<SimulationPlan> truth;
+  if (!flags.truth.empty()) truth = read_simulation(flags.truth);
+  ConsoleProgress progress(flags.common.quiet);
+  const Dataset record = read_record(flags.record, {.rename = columns}, progress);
+  std::vector<std::string> doubts;
+  if (truth) doubts = doubts_about_truth(*truth, record, plan_named_by(flags.record));
+  const InterruptGuard guard;
+  const ThreadLimit limit(flags.common.threads);
+  Comparison comparison = compare(record, entries, flags.repeats, progress);
+  progress.clear();
+  if (truth) score_truth(comparison, record, entries, *truth);
+  comparison.notes = std::move(doubts);
+  add_provenance(comparison, record, flags.identify);
+  OutputFiles files;
+  if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
+  if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style()));
+  files.commit();
+}
+
+}  // namespace
+
+Action add_compare(CLI::App& verb) {
+  auto flags = std::make_shared<CompareFlags>();
+  verb.add_option("RUN.csv", flags->record, "The test record; - is standard input")->required();
+  verb.add_option("--methods", flags->methods,
+                  "Methods to compare, separated by commas; ratios refer to the first")
+      ->required()
+      ->type_name("A,B,...");
+  add_whole(verb, "--repeats", 1, 100'000, "Repeat with seeds S, S+1, ... (default 1)",
+            [flags](std::uint64_t n) { flags->repeats = n; });
+  add_path(verb, "--truth", flags->truth,
+           "The plan that the record was simulated by: adds how far the coefficients are from the truth")
+      ->type_name("STAND.toml");
+  flags->identify.add_to(verb, IdentifyFlags::Method::given_elsewhere);
+  add_map(verb, flags->map);
+  add_json(verb, flags->json);
+  add_common(verb, flags->common);
+  verb.footer(
+      "Examples:\n"
+      "  proofmass compare run.csv --methods ols,bp,pso-bp\n"
+      "  proofmass compare run.csv --methods ols,gmdh,bp,pso-bp,hybrid --repeats 10 --json "
+      "comparison.json\n"
+      "  proofmass compare run.csv --methods ols,robust --repeats 10 --truth stand.toml\n");
+  return [flags] { run_compare(*flags); };
+}
+
+}  // namespace proofmass::cli

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common_flags.hpp"
+#include "console_progress.hpp"
+#include "identify_flags.hpp"
+#include "interrupts.hpp"
+#include "output.hpp"
+#include "proofmass/core/error.hpp"
+#include "proofmass/core/version.hpp"
+#include "proofmass/numeric/parallel.hpp"
+#include "proofmass/report/csv.hpp"
+#include "proofmass/report/json/json.hpp"
+#include "proofmass/report/terminal/terminal.hpp"
+#include "verbs/verbs.hpp"
+
+namespace proofmass::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VerbFlags {
+  CommonFlags common;
+  IdentifyFlags identify;
+  std::string record;
+  std::vector<std::string> map;
+  std::string json;
+  std::string out;
+};
+
+Identification identify(const Dataset& record, const IdentifySettings& settings, const VerbFlags& flags,
+                        Progress& progress) {
+  const ThreadLimit limit(flags.common.threads);
+  Identification result =
+      run(record, find_method(settings.method), settings.options, settings.split, progress);
+  auto options = describe(settings);
+  std::string map;
+  for (const auto& [column, name] : renames(flags.map)) {
+    map += fmt::format("{}{}={}", map.empty() ? "" : ",", column, name);
+  }
+  options.emplace_back("map", map);
+  result.provenance = {.version = std::string(version()),
+                       .input = record.source,
+                       .input_sha256 = record.source_sha256,
+                       .options = std::move(options)};
+  return result;
+}
+
+// predictions.csv: what the fit says about every row of the record, and which part the row was in.
+std::string predictions(const Identification& result, const Dataset& record,
+                        const IdentifySettings& settings) {
+  const Split split = split_rows(record.rows(), split_for(find_method(settings.method), settings.split),
+                                 settings.options.seed);
+  std::vector<Part> parts(record.rows(), Part::training);
+  for (const std::size_t row : split.validation) parts[row] = Part::validation;
+  for (const std::size_t row : split.test) parts[row] = Part::test;
+  std::ostringstream text;
+  write_predictions(text, record, predict(result, record), parts);
+  return text.str();
+}
+
+std::string history(const Identification& result) {
+  std::ostringstream text;
+  write_history(text, result.history);
+  return text.str();
+}
+
+void write_result(const Identification& result, const Dataset& record, const IdentifySettings& settings,
+                  const VerbFlags& flags) {
+  const std::string json = to_json(result);
+  OutputFiles files;
+  if (!flags.json.empty()) files.add(flags.json, json);
+  if (!flags.out.empty()) {
+    const fs::path folder = flags.out;
+    files.make_folder(folder);
+    files.add(folder / "result.json", json);
+    files.add(folder / "predictions.csv", predictions(result, record, settings));
+    files.add(folder / "history.csv", history(result));
+  }
+  if (flags.json != "-") files.add("-", render_table(result, terminal_style()));
+  files.commit();
+}
+
+void require_writable(const VerbFlags& flags) {
+  require_writable_file(flags.json);
+  require_other_file(flags.json, {flags.record});
+  if (!flags.out.empty()) {
+    for (const char* name : {"result.json", "predictions.csv", "history.csv"}) {
+      require_other_file(fs::path(flags.out) / name, {flags.record});
+    }
+  }
+  require_writable_folder(flags.out);
+}
+
+void run_identify(const VerbFlags& flags) {
+  const IdentifySettings settings = flags.identify.settings();
+  const auto columns = renames(flags.map);
+  require_writable(flags);
+  ConsoleProgress progress(flags.common.quiet);
+  const Dataset record = read_record(flags.record, {.rename = columns}, progress);
+  const InterruptGuard guard;
+  const Identification result = identify(record, settings, flags, progress);
+  progress.clear();
+  write_result(result, record, settings, flags);
+}
+
+}  // namespace
+
+Action add_identify(CLI::App& verb) {
+  auto flags = std::make_shared<VerbFlags>();
+  verb.add_option("RUN.csv", flags->record, "The test record; - is standard input")->required();
+  flags->identify.add_to(verb);
+  add_map(verb, flags->map);
+  add_json(verb, flags->json);
+  add_path(verb, "--out", flags->out, "Write result.json, predictions.csv and history.csv to the folder DIR")
+      ->type_name("DIR");
+  add_common(verb, flags->common);
+  verb.footer(
+      "Examples:\n"
+      "  proofmass identify run.csv\n"
+      "  proofmass identify run.csv --model full --on-rank-loss drop --json result.json\n"
+      "  proofmass identify run.csv --method pso-bp --seed 3 --out results\n"
+      "  proofmass identify raw.csv --map Ai=ax,E=out[mA] --terms K0,Ki,Kii --split 1\n");
+  return [flags] { run_identify(*flags); };
+}
+
+}  // namespace proofmass::cli

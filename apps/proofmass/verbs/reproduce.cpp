@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/study/paper/reproduce.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "common_flags.hpp"
+#include "console_progress.hpp"
+#include "interrupts.hpp"
+#include "output.hpp"
+#include "proofmass/numeric/parallel.hpp"
+#include "proofmass/report/paper/reproduction.hpp"
+#include "proofmass/stand/twin/simulation_file.hpp"
+#include "verbs/verbs.hpp"
+
+namespace proofmass::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReproduceFlags {
+  CommonFlags common;
+  std::string out;
+  bool quick = false;
+  std::uint64_t seed = 1;
+};
+
+void run_reproduce(const ReproduceFlags& flags) {
+  require_writable_folder(flags.out);
+  const InterruptGuard guard;
+  const ThreadLimit limit(flags.common.threads);
+  ReproduceOptions options = flags.quick ? quick_reproduction() : ReproduceOptions{};
+  options.seed = flags.seed;
+  Reproduction made;
+  {
+    ConsoleProgress progress(flags.common.quiet);
+    made = reproduce(paper_twin(), options, progress);
+  }
+  OutputFiles files;
+  if (!flags.out.empty()) {
+    files.make_folder(flags.out);
+    for (const NamedText& file : reproduction_files(made))
+      files.add(fs::path(flags.out) / file.name, file.text);
+  }
+  files.add("-", render_reproduction(made));
+  files.commit();
+}
+
+}  // namespace
+
+Action add_reproduce(CLI::App& verb) {
+  auto flags = std::make_shared<ReproduceFlags>();
+  add_path(verb, "--out", flags->out, "Write the page, the tables' data and the figures to the folder DIR")
+      ->type_name("DIR");
+  verb.add_flag("--quick", flags->quick, "One repeat of everything, two records for BP against PSO-BP");
+  add_whole(verb, "--seed", 0, 1'000'000'000, "Seed of record, split and draws (default 1)",
+            [flags](std::uint64_t n) { flags->seed = n; });
+  add_common(verb, flags->common);
+  verb.footer(
+      "Examples:\n"
+      "  proofmass reproduce --quick\n"
+      "  proofmass reproduce --out reproduction\n");
+  return [flags] { run_reproduce(*flags); };
+}
+
+}  // namespace proofmass::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofmass/core/dataset.hpp"
+#include "proofmass/core/identification.hpp"
+#include "proofmass/core/term.hpp"
+#include "proofmass/identify/model/term_sums.hpp"
+
+namespace proofmass {
+
+// A term that the record's inputs cannot identify, and why.
+struct Unidentifiable {
+  Term term = Term::K0;
+  // The identified terms that it is a combination of over the record's rows; empty when its regressor is zero
+  // in every row, or its axis is missing.
+  std::vector<Term> confounded_with;
+  std::string reason;  // "confounded with Kii: over these rows |Ai|*Ai is proportional to Ai^2", …
+};
+
+struct Identifiability {
+  TermList identified;  // a largest separable subset of the terms asked for; lower-order terms are kept first
+  std::vector<Unidentifiable> lost;                    // canonical order
+  double condition_raw = 0.0, condition_scaled = 0.0;  // of the identified terms' design matrix
+};
+
+// Which of the terms the record's inputs can tell apart, at the level of rounding: a combination that the
+// rows determine badly counts as identified, and its standard errors say how badly. The outputs play no part.
+[[nodiscard]] Identifiability analyse_identifiability(const Dataset& data, const TermList& terms);
+
+// The same without another look at the rows, for some of the terms summed.
+[[nodiscard]] Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms);
+
+enum class RankLossPolicy { refuse, drop };
+
+// The terms to fit. Throws a bad-data Error when the record has fewer rows than terms + 1 (saying how many
+// are needed) or a constant output; a refusal that names every lost term and its reason when some are lost
+// and the policy is refuse, or when none is left; a usage Error when `terms` is empty.
+[[nodiscard]] Identifiability require_identifiable(const Dataset& data, const TermList& terms,
+                                                   RankLossPolicy policy);
+
+// The same for the terms summed, which the caller then fits from the same sums.
+[[nodiscard]] Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy);
+
+// Throws bad data, naming the row, when an acceleration or output is so large that products with it leave the
+// range of double precision.
+void require_plausible_rows(const Dataset& record);
+
+// The same of the largest, and when they are so small that their products do.
+void require_plausible_sizes(const TermSums& sums);
+
+}  // namespace proofmass

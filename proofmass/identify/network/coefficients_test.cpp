@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/network/coefficients.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "proofmass/identify/model/design_matrix.hpp"
+#include "proofmass/identify/network/scaling.hpp"
+#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/numeric/linear/least_squares.hpp"
+#include "support/networks.hpp"
+#include "support/twin.hpp"
+
+namespace proofmass {
+namespace {
+
+// A network whose scaled inputs are A / 10 and whose output is not scaled at all.
+TrainedNetwork plain_network(std::size_t hidden) {
+  TrainedNetwork network;
+  network.inputs = {kAxes.begin(), kAxes.end()};
+  network.hidden = hidden;
+  network.input_range.assign(3, {-10.0, 10.0});
+  network.output_range = {-1.0, 1.0};
+  network.weights.assign(hidden * 5 + 1, 0.0);
+  return network;
+}
+
+// 0.3 + 2 x² within 1e-5 by a second difference of tanh, x = (Ai - 2 Ap) / 10.
+TrainedNetwork nearly_quadratic() {
+  constexpr double kStep = 1e-3;
+  constexpr double kBias = 0.5;
+  const double t = std::tanh(kBias);
+  const double scale = 2.0 / (-2.0 * t * (1.0 - t * t) * kStep * kStep);
+  TrainedNetwork network = plain_network(3);
+  network.weights = {kStep, 0,     -2 * kStep, -kStep, 0,     2 * kStep, 0,          0,
+                     0,     kBias, kBias,      kBias,  scale, scale,     -2 * scale, 0.3};
+  return network;
+}
+
+TEST(Projection, ReturnsTheCoefficientsOfANearlyPolynomialNetwork) {
+  Dataset record = test::make_twin({.rows = 400, .greatest = 10.0});
+  const TrainedNetwork network = nearly_quadratic();
+  record.output = network_outputs(network, record);
+  const TermList terms = parse_terms("quadratic");
+  const ProjectedCoefficients projected = project_onto_terms(network, record, terms);
+  const StaticModel found{.terms = terms, .coefficients = projected.fit.coefficients};
+  for (const Term term : terms) {
+    const double expected = term == Term::K0    ? 0.3
+                            : term == Term::Kii ? 0.02
+                            : term == Term::Kip ? -0.08
+                            : term == Term::Kpp ? 0.08
+                                                : 0.0;
+    EXPECT_NEAR(found.coefficient(term), expected, 1e-5) << name(term);
+  }
+  EXPECT_EQ(projected.rss, 0.0);
+  EXPECT_EQ(projected.induced_deviation, 0.0);
+}
+
+TEST(Projection, IsLeastSquaresLessThatOfTheResidual) {
+  const Dataset record = test::make_twin({.rows = 700});
+  const TrainedNetwork network = test::random_network(record, 7);
+  const TermList terms = parse_terms("full");
+  const ProjectedCoefficients projected = project_onto_terms(network, record, terms);
+  const Matrix design = design_matrix(record, terms);
+  const LeastSquaresFit direct = solve_least_squares(design, record.output);
+
+  double square = 0.0;
+  double rss = 0.0;
+  const std::vector<double> outputs = network_outputs(network, record);
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    double effect = 0.0;
+    for (std::size_t k = 0; k < terms.size(); ++k) effect += design(row, k) * projected.deviation[k];
+    square += effect * effect;
+    rss += std::pow(record.output[row] - outputs[row], 2);
+  }
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const double size = std::abs(direct.coefficients[k]) + std::abs(projected.deviation[k]);
+    EXPECT_NEAR(projected.fit.coefficients[k], direct.coefficients[k] - projected.deviation[k], 1e-10 * size)
+        << name(terms[k]);
+  }
+  const double rms = std::sqrt(square / static_cast<double>(record.rows()));
+  EXPECT_NEAR(projected.induced_deviation, rms, 1e-10 * rms);
+  EXPECT_NEAR(projected.rss, rss, 1e-12 * rss);
+}
+
+// With all its weights but one output weight zero, the tangent space of the network is 1, Ai, Ao, Ap.
+TEST(Projection, CovarianceIsThatOfLeastSquaresWithinTheTangentSpace) {
+  const Dataset record = test::make_twin({.rows = 120, .noise = 0.1});
+  TrainedNetwork network = plain_network(1);
+  network.weights[4] = 0.5;
+  const TermList linear = parse_terms("linear");
+  const ProjectedCoefficients projected = project_onto_terms(network, record, linear);
+  const LeastSquaresFit direct = solve_least_squares(design_matrix(record, linear), record.output);
+  const double variance = projected.rss / (120.0 - 6.0);
+  for (std::size_t r = 0; r < 4; ++r) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      const double size =
+          std::sqrt(direct.unscaled_covariance(r, r) * direct.unscaled_covariance(c, c)) * variance;
+      EXPECT_NEAR(projected.fit.covariance(r, c), variance * direct.unscaled_covariance(r, c), 1e-10 * size);
+    }
+  }
+  // What the network is not free to change has no variance: the square terms beside the linear ones.
+  const TermList more = parse_terms("K0,Ki,Kii,Ko,Kp");
+  const ProjectedCoefficients wider = project_onto_terms(network, record, more);
+  const double scale = wider.fit.covariance(1, 1);
+  EXPECT_NEAR(wider.fit.covariance(2, 2), 0.0, 1e-12 * scale);
+  EXPECT_NEAR(scale, projected.fit.covariance(1, 1), 1e-9 * scale);
+}
+
+TEST(Projection, HasNoCovarianceWithoutMoreRowsThanWeights) {
+  const Dataset record = test::make_twin({.rows = 36});
+  const TrainedNetwork network = test::random_network(record, 7);
+  EXPECT_EQ(project_onto_terms(network, record, parse_terms("linear")).fit.covariance.rows(), 0U);
+}
+
+// The standard errors against the scatter over refits of a network to its own function with fresh noise.
+TEST(Projection, StandardErrorsAreTheScatterOverRepeats) {
+  constexpr int kRepeats = 120;
+  Dataset record = test::make_twin({.rows = 300, .noise = 0.0});
+  TrainedNetwork network = learn_scaling(record);
+  network.hidden = 4;
+  const PerceptronShape shape{3, 4};
+  NetworkOptions options;
+  options.hidden = 4;
+  const auto trained = [&](std::vector<double> from, std::size_t epochs) {
+    const Samples samples = scale_rows(network, record);
+    const NetworkTrainer trainer(shape, samples, nullptr, options);
+    TrainingState state = trainer.start(std::move(from));
+    trainer.train(state, epochs, test::always);
+    return state.weights;
+  };
+  network.weights = trained(random_start(shape, Trainer::varpro, 1, 0), 300);
+  const TrainedNetwork truth = network;
+  const std::vector<double> clean = network_outputs(truth, record);
+  const TermList terms = parse_terms("quadratic");
+  const std::vector<double> expected = project_onto_terms(truth, record, terms).fit.coefficients;
+
+  double square = 0.0;
+  for (int repeat = 0; repeat < kRepeats; ++repeat) {
+    RandomStream noise(static_cast<std::uint64_t>(repeat), stream_id("repeat"));
+    for (std::size_t row = 0; row < clean.size(); ++row)
+      record.output[row] = clean[row] + 3e-4 * noise.normal();
+    network.weights = trained(truth.weights, 60);
+    const ProjectedCoefficients projected = project_onto_terms(network, record, terms);
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const double error = projected.fit.coefficients[k] - expected[k];
+      square += error * error / projected.fit.covariance(k, k);
+    }
+  }
+  const double ratio = std::sqrt(square / (kRepeats * static_cast<double>(terms.size())));
+  EXPECT_GT(ratio, 0.85);
+  EXPECT_LT(ratio, 1.15);
+}
+
+TEST(Expansion, OfOneUnitIsThatOfTanh) {
+  TrainedNetwork network = plain_network(1);
+  const double w = 0.4;
+  const double u = -0.7;
+  const double q = 0.3;
+  const double b = 0.6;
+  const double v = 1.7;
+  const double c = 0.25;
+  network.weights = {10.0 * w, 10.0 * u, 10.0 * q, b, v, c};  // inputs A / 10
+  const TermList terms = parse_terms("full");
+  const StaticModel found{.terms = terms, .coefficients = expand_at_zero(network, terms)};
+  const double t = std::tanh(b);
+  const double first = v * (1.0 - t * t);
+  const double second = -v * t * (1.0 - t * t);                        // half of tanh''
+  const double third = v * (1.0 - t * t) * (3.0 * t * t - 1.0) / 3.0;  // a sixth of tanh'''
+  const std::array<std::pair<Term, double>, 21> known{{{Term::K0, c + v * t},
+                                                       {Term::Ki, first * w},
+                                                       {Term::Ko, first * u},
+                                                       {Term::Kp, first * q},
+                                                       {Term::Kii, second * w * w},
+                                                       {Term::Koo, second * u * u},
+                                                       {Term::Kpp, second * q * q},
+                                                       {Term::Kio, second * 2 * w * u},
+                                                       {Term::Kip, second * 2 * w * q},
+                                                       {Term::Kop, second * 2 * u * q},
+                                                       {Term::Koq, 0.0},
+                                                       {Term::Kiii, third * w * w * w},
+                                                       {Term::Kooo, third * u * u * u},
+                                                       {Term::Kppp, third * q * q * q},
+                                                       {Term::Kioo, third * 3 * w * u * u},
+                                                       {Term::Kipp, third * 3 * w * q * q},
+                                                       {Term::Kopp, third * 3 * u * q * q},
+                                                       {Term::Koii, third * 3 * u * w * w},
+                                                       {Term::Kpoo, third * 3 * q * u * u},
+                                                       {Term::Kpii, third * 3 * q * w * w},
+                                                       {Term::Kiop, third * 6 * w * u * q}}};
+  for (const auto& [term, expected] : known) {
+    EXPECT_NEAR(found.coefficient(term), expected, 1e-14) << name(term);
+  }
+}
+
+// Along a line through zero the expansion's terms of each order make the derivatives of that order; enough
+// directions leave no coefficient free.
+TEST(Expansion, AgreesWithFiniteDifferencesAtZero) {
+  Dataset record = test::make_twin({.rows = 100});
+  for (double& value : record.acceleration[1]) value += 3.0;  // ranges that are not symmetric
+  const TrainedNetwork network = test::random_network(record, 7, 5);
+  const TermList terms = parse_terms("full");
+  const std::vector<double> found = expand_at_zero(network, terms);
+  RandomStream random(11);
+  for (int direction = 0; direction < 30; ++direction) {
+    const Acceleration d{random.normal(), random.normal(), random.normal()};
+    constexpr long double kStep = 0.2L;
+    std::array<long double, 9> f{};
+    for (int k = -4; k <= 4; ++k) {
+      const auto s = static_cast<double>(kStep * k);
+      f[static_cast<std::size_t>(k + 4)] = test::network_output(network, {s * d.i, s * d.o, s * d.p});
+    }
+    const auto odd = [&](std::size_t k) { return f[4 + k] - f[4 - k]; };
+    const auto even = [&](std::size_t k) { return f[4 + k] + f[4 - k]; };
+    const std::array<long double, 4> derivatives{
+        f[4], (odd(1) * 4 / 5 - odd(2) / 5 + odd(3) * 4 / 105 - odd(4) / 280) / kStep,
+        (-f[4] * 205 / 72 + even(1) * 8 / 5 - even(2) / 5 + even(3) * 8 / 315 - even(4) / 560) /
+            (kStep * kStep),
+        (-odd(1) * 61 / 30 + odd(2) * 169 / 120 - odd(3) * 3 / 10 + odd(4) * 7 / 240) /
+            (kStep * kStep * kStep)};
+    std::array<double, 4> sums{};
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      sums[static_cast<std::size_t>(info(terms[k]).order())] += found[k] * regressor(terms[k], d);
+    }
+    constexpr std::array<double, 4> kFactorial{1, 1, 2, 6};
+    for (std::size_t order = 0; order < 4; ++order) {
+      EXPECT_NEAR(sums[order] * kFactorial[order], static_cast<double>(derivatives[order]), 1e-6)
+          << "order " << order << ", direction " << direction;
+    }
+  }
+}
+
+TEST(Expansion, OfANetworkOfOneAxisHasNoOtherTerms) {
+  Dataset record = test::make_twin({.rows = 60});
+  record.acceleration[0].clear();
+  record.acceleration[2].assign(60, 1.5);  // an input that does not vary counts for nothing
+  const TrainedNetwork network = test::random_network(record, 3);
+  const TermList terms = parse_terms("full");
+  const StaticModel found{.terms = terms, .coefficients = expand_at_zero(network, terms)};
+  EXPECT_NEAR(found.coefficient(Term::K0), static_cast<double>(test::network_output(network, {})), 1e-12);
+  for (const Term term : terms) {
+    const bool only_output_axis = !info(term).uses(Axis::input) && !info(term).uses(Axis::pendulous);
+    EXPECT_EQ(found.coefficient(term) != 0.0, only_output_axis) << name(term);
+  }
+}
+
+}  // namespace
+}  // namespace proofmass

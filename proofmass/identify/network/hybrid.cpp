@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/network/hybrid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/model/design_matrix.hpp"
+#include "proofmass/identify/model/identifiability.hpp"
+#include "proofmass/identify/model/static_fit.hpp"
+#include "proofmass/identify/network/hybrid_network.hpp"
+#include "proofmass/identify/network/hybrid_validation.hpp"
+#include "proofmass/identify/network/scaling.hpp"
+#include "proofmass/numeric/linear/least_squares.hpp"
+
+namespace proofmass {
+namespace {
+
+// Schwarz 1978 for Gaussian errors of unknown variance, without constants: n ln(RSS / n) + p ln n.
+double information_criterion(double rss, std::size_t parameters, std::size_t rows) {
+  const auto n = static_cast<double>(rows);
+  return n * std::log(rss / n) + static_cast<double>(parameters) * std::log(n);
+}
+
+// Whether least squares leaves nothing but rounding.
+bool is_rounding(double rss, const Dataset& training) {
+  constexpr double kRounding = 1e-13;  // of the output's half range, a row
+  const double half = output_half_range(learn_scaling(training));
+  return rss <= static_cast<double>(training.rows()) * kRounding * kRounding * half * half;
+}
+
+// The best fit with hidden units, if any beats least squares, the criterion by number of units, from zero,
+// and what cross-validation said of the number that it chose.
+struct Search {
+  std::optional<HybridFit> best;
+  std::vector<double> criterion;
+  std::size_t chosen = 0;
+  HybridValidation validation;
+  std::size_t epochs = 0;
+  std::size_t evaluations = 0;  // of the swarms' fitness
+};
+
+Search search(const Dataset& training, const TermList& terms, double rss, const IdentifyOptions& options,
+              Progress& progress) {
+  Search found;
+  found.criterion = {information_criterion(rss, terms.size(), training.rows())};
+  double least = found.criterion.front();
+  std::size_t failures = 0;
+  for (std::size_t hidden = 1; hidden <= options.hybrid.most_hidden && failures < options.hybrid.patience;
+       ++hidden) {
+    const std::size_t parameters = terms.size() + hidden * (training.axes().size() + 2);
+    // A residual of rounding alone needs no network, and few rows afford none.
+    if (training.rows() <= 2 * parameters || is_rounding(rss, training)) break;
+    HybridFit fit = fit_hybrid(training, terms, hidden, options, progress);
+    progress.update("hidden units", hidden, options.hybrid.most_hidden);
+    found.epochs += fit.epochs;
+    found.evaluations += fit.evaluations;
+    found.criterion.push_back(information_criterion(fit.rss, fit.parameters, training.rows()));
+    if (found.criterion.back() < least) {
+      least = found.criterion.back();
+      found.best = std::move(fit);
+      failures = 0;
+    } else {
+      ++failures;
+    }
+  }
+  return found;
+}
+
+// The criterion takes noise to be normal: it would have a network follow outliers. So a network stays only
+// when it also predicts rows that it has not seen better than the terms alone.
+void cross_validate(Search& found, const Dataset& training, const TermList& terms,
+                    const IdentifyOptions& options, Progress& progress) {
+  if (!found.best) return;
+  found.chosen = found.best->network.hidden;
+  found.validation = validate_hybrid(training, terms, found.chosen, options, progress);
+  found.epochs += found.validation.epochs;
+  found.evaluations += found.validation.evaluations;
+  if (!found.validation.favours_network()) found.best.reset();
+}
+
+std::string describe(const HybridValidation& validation, bool kept) {
+  if (validation.rows == 0) return "; dropped, for too few rows to cross-validate them";
+  return fmt::format("; {} by cross-validation: rms error at rows left out {:.5g} times that without",
+                     kept ? "kept" : "dropped", validation.rmse_with / validation.rmse_without);
+}
+
+std::string describe(const Search& found) {
+  std::string tried;
+  for (std::size_t h = 0; h < found.criterion.size(); ++h) {
+    tried += fmt::format("{}{}: {:.1f}", h == 0 ? "" : ", ", h, found.criterion[h] - found.criterion.front());
+  }
+  return fmt::format("{} hidden units by the Bayesian information criterion (relative to none: {}){}",
+                     found.chosen, tried,
+                     found.chosen > 0 ? describe(found.validation, found.best.has_value()) : "");
+}
+
+void add_network(Identification& result, Search& found, const Dataset& training) {
+  HybridFit& fit = *found.best;
+  const double half = output_half_range(fit.network) / training.output_unit.to_canonical;
+  for (double& value : fit.curve) value *= half;
+  for (double& value : fit.swarm) value *= half;
+  result.history.push_back({"training_rmse", std::move(fit.curve)});
+  result.history.push_back({"swarm_best", std::move(fit.swarm)});
+  result.network = std::move(fit.network);
+  result.diagnostics.notes.emplace_back(
+      "the sensor has structure that the terms asked for lack: a network beside them predicts it; the "
+      "coefficients "
+      "describe the whole function's least-squares projection onto the terms, not its course between the "
+      "rows");
+}
+
+}  // namespace
+
+Identification identify_hybrid(const Dataset& unordered, const Dataset& /*validation*/,
+                               const IdentifyOptions& options, Progress& progress) {
+  if (std::find(options.terms.begin(), options.terms.end(), Term::K0) == options.terms.end()) {
+    throw usage_error("hybrid needs K0 among the terms: its network has a constant of its own");
+  }
+  const Identifiability terms = require_identifiable(unordered, options.terms, options.on_rank_loss);
+  const Dataset training = in_canonical_order(unordered);
+  LeastSquaresFit solution = solve_least_squares(design_matrix(training, terms.identified), training.output);
+  Search found = search(training, terms.identified, solution.rss, options, progress);
+  cross_validate(found, training, terms.identified, options, progress);
+  const double rss = found.best ? found.best->rss : solution.rss;
+  const std::size_t parameters = found.best ? found.best->parameters : terms.identified.size();
+
+  // With the terms in its tangent space the fit's projection onto them is that of the data: least squares'
+  // coefficients, with the smaller variance of what the network leaves.
+  const double variance = rss / static_cast<double>(training.rows() - parameters);
+  for (std::size_t c = 0; c < solution.unscaled_covariance.columns(); ++c) {
+    for (double& value : solution.unscaled_covariance.column(c)) value *= variance;
+  }
+  const StaticFit fit{.coefficients = std::move(solution.coefficients),
+                      .covariance = std::move(solution.unscaled_covariance),
+                      .vif = std::move(solution.vif)};
+  Identification result = make_identification("hybrid", training, options, terms, fit);
+  add_residual_figures(result.diagnostics, training, rss, parameters);
+  result.diagnostics.training_epochs = found.epochs;
+  result.diagnostics.swarm_evaluations = found.evaluations;
+  const std::size_t iterations = found.epochs + found.evaluations;
+  if (iterations > 0) result.diagnostics.iterations = iterations;
+  result.ending = {EndingStatus::converged, describe(found)};
+  result.history.push_back({"information_criterion", found.criterion});
+  result.diagnostics.notes.emplace_back(
+      "standard errors assume exact inputs and white noise of one variance, and ignore that the number of "
+      "hidden units was "
+      "chosen on the same rows");
+  if (found.best) add_network(result, found, training);
+  return result;
+}
+
+}  // namespace proofmass

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "proofmass/core/dataset.hpp"
+#include "proofmass/core/identification.hpp"
+#include "proofmass/core/progress.hpp"
+#include "proofmass/identify/model/options.hpp"
+
+namespace proofmass {
+
+// A static model and a network side by side, fitted to a record.
+struct HybridFit {
+  TrainedNetwork network;       // with the static part in its skip
+  double rss = 0.0;             // over the training rows, canonical output unit squared
+  std::size_t parameters = 0;   // free ones: terms and weights
+  std::size_t epochs = 0;       // of training, all candidates together
+  std::size_t evaluations = 0;  // of the swarm's fitness
+  std::vector<double> curve;    // training rmse of the candidate kept, scaled output
+  std::vector<double> swarm;    // best fitness of the swarm, likewise
+};
+
+// The best fit with `hidden` >= 1 tanh units beside the terms (K0 among them, played by the network's bias).
+[[nodiscard]] HybridFit fit_hybrid(const Dataset& training, const TermList& terms, std::size_t hidden,
+                                   const IdentifyOptions& options, Progress& progress);
+
+}  // namespace proofmass

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/network/hybrid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/method.hpp"
+#include "proofmass/identify/regression/ols.hpp"
+#include "proofmass/numeric/random.hpp"
+#include "proofmass/pipeline.hpp"
+#include "proofmass/stand/twin/simulation.hpp"
+#include "proofmass/stand/twin/simulation_file.hpp"
+
+namespace proofmass {
+namespace {
+
+Dataset twin(const std::string& name, std::uint64_t seed) {
+  const SimulationPlan plan = read_simulation(std::string(PROOFMASS_SOURCE_DIR) + "/data/" + name);
+  return simulate(plan, plan.rows, seed);
+}
+
+IdentifyOptions full_model(std::uint64_t seed) {
+  IdentifyOptions options;
+  options.terms = parse_terms("full");
+  options.seed = seed;
+  return options;
+}
+
+// Root mean square of the noise that was simulated in the test rows.
+double test_noise(const Dataset& record, std::uint64_t seed) {
+  SimulationPlan quiet = read_simulation(std::string(PROOFMASS_SOURCE_DIR) + "/data/twin-unmodelled.toml");
+  quiet.noise = {};
+  const Dataset clean = simulate(quiet, quiet.rows, seed);
+  const std::vector<std::size_t> rows = split_rows(record.rows(), {}, seed).test;
+  double sum = 0.0;
+  for (const std::size_t row : rows) sum += std::pow(record.output[row] - clean.output[row], 2);
+  return std::sqrt(sum / static_cast<double>(rows.size()));
+}
+
+TEST(Hybrid, IsLeastSquaresWhereTheModelIsRight) {
+  SilentProgress progress;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Dataset record = twin("twin-10ug.toml", seed);
+    const Identification hybrid = identify_hybrid(record, {}, full_model(seed), progress);
+    const Identification ols = identify_ols(record, {}, full_model(seed), progress);
+    EXPECT_FALSE(hybrid.network.has_value()) << "seed " << seed << ": " << hybrid.ending.reason;
+    for (std::size_t k = 0; k < ols.coefficients.size(); ++k) {
+      EXPECT_NEAR(hybrid.coefficients[k].value, ols.coefficients[k].value,
+                  1e-6 * *ols.coefficients[k].standard_error);
+    }
+  }
+}
+
+TEST(Hybrid, PredictsUnmodelledStructureToTheNoise) {
+  SilentProgress progress;
+  constexpr std::uint64_t seeds = 6;
+  double product = 1.0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Dataset record = twin("twin-unmodelled.toml", seed);
+    const double noise = test_noise(record, seed);
+    const Identification hybrid = run(record, find_method("hybrid"), full_model(seed), {}, progress);
+    const Identification ols = run(record, find_method("ols"), full_model(seed), {}, progress);
+    EXPECT_LT(hybrid.test->rmse / noise, 1.05) << "seed " << seed;
+    EXPECT_GT(ols.test->rmse / noise, 1.1) << "seed " << seed;
+    product *= hybrid.test->rmse / noise;
+    ASSERT_TRUE(hybrid.network.has_value());
+    EXPECT_EQ(hybrid.network->skip.terms.size(), 20U);
+  }
+  EXPECT_LT(std::pow(product, 1.0 / static_cast<double>(seeds)), 1.04);
+}
+
+TEST(Hybrid, DoesNotFollowOutliers) {
+  SilentProgress progress;
+  std::size_t dropped = 0;  // of the networks that the criterion asks for
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const Identification hybrid =
+        run(twin("twin-heavy-tails.toml", seed), find_method("hybrid"), full_model(seed), {}, progress);
+    EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
+    if (hybrid.ending.reason.find("dropped by cross-validation") != std::string::npos) ++dropped;
+  }
+  EXPECT_GT(dropped, 0U);
+}
+
+// Forty set-ups measured ten times each, with an error of the set-up's own: a network can follow that, and
+// would find it again at repeats.
+TEST(Hybrid, DoesNotTakeErrorsOfRepeatedSetUpsForStructure) {
+  SilentProgress progress;
+  const Dataset points = twin("twin.toml", 1);
+  std::vector<std::size_t> rows;
+  for (std::size_t r = 0; r < 400; ++r) rows.push_back(r % 40);
+  Dataset record = points.select(rows);
+  RandomStream random(1);
+  for (double& output : record.output) output += 1e-7 * random.normal();
+  IdentifyOptions options;
+  options.terms = parse_terms("paper");
+  const Identification hybrid = identify_hybrid(record, {}, options, progress);
+  EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
+}
+
+TEST(Hybrid, NeedsTheBias) {
+  SilentProgress progress;
+  IdentifyOptions options;
+  options.terms = parse_terms("Ki,Kii");
+  EXPECT_THROW((void)identify_hybrid(twin("twin-10ug.toml", 1), {}, options, progress), Error);
+}
+
+}  // namespace
+}  // namespace proofmass

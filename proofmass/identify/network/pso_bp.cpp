@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/network/pso_bp.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/network/refinement.hpp"
+#include "proofmass/identify/network/result.hpp"
+#include "proofmass/identify/network/scaling.hpp"
+#include "proofmass/identify/network/starts.hpp"
+#include "proofmass/identify/network/swarm_fitness.hpp"
+#include "proofmass/numeric/optimise/particle_swarm.hpp"
+#include "proofmass/numeric/random.hpp"
+
+namespace proofmass {
+namespace {
+
+// Particles differ when some weight of their canonical forms differs by more than this.
+constexpr double kDifferent = 0.1;
+
+std::vector<std::vector<double>> initial_swarm(const NetworkTask& task, const IdentifyOptions& options) {
+  const bool separable = options.swarm.fitness == SwarmFitness::separable;
+  const std::size_t length = separable ? task.shape.hidden_weights() : task.shape.parameters();
+  std::vector<std::vector<double>> positions = options.swarm.initial;
+  for (const auto& position : positions) {
+    if (position.size() != length) {
+      throw usage_error(
+          fmt::format("an initial particle has {} weights, expected {}", position.size(), length));
+    }
+  }
+  if (positions.size() > options.swarm.particles) {
+    throw usage_error(fmt::format("{} initial positions for a swarm of {} particles", positions.size(),
+                                  options.swarm.particles));
+  }
+  positions.resize(options.swarm.particles);
+  for (std::size_t i = options.swarm.initial.size(); i < positions.size(); ++i) {
+    positions[i] = random_start(task.shape, separable ? Trainer::varpro : Trainer::lm, options.seed, i);
+  }
+  return positions;
+}
+
+SwarmSettings settings_of(const SwarmOptions& options, const std::vector<std::vector<double>>& initial) {
+  double reach = 0.0;
+  for (const auto& position : initial) {
+    for (const double x : position) reach = std::max(reach, std::abs(x));
+  }
+  return {.iterations = options.iterations,
+          .inertia = options.inertia,
+          .cognitive = options.cognitive,
+          .social = options.social,
+          .update = options.update,
+          .topology = options.topology,
+          .lower = -reach,
+          .upper = reach,
+          .velocity_limit = options.velocity_limit,
+          .stall_iterations = options.stall_iterations,
+          .target = options.target};
+}
+
+// The best particles, leaving out those that are one network in another guise.
+std::vector<TrainingState> diverse_particles(const NetworkTask& task, const NetworkTrainer& trainer,
+                                             const SwarmResult& swarm, const IdentifyOptions& options) {
+  std::vector<std::size_t> order(swarm.positions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&swarm](std::size_t a, std::size_t b) { return swarm.values[a] < swarm.values[b]; });
+  std::vector<TrainingState> chosen;
+  std::vector<std::vector<double>> guises;
+  for (const std::size_t i : order) {
+    if (chosen.size() == options.swarm.refined) break;
+    TrainingState state = trainer.start(swarm.positions[i], RandomStream(options.seed, stream_id("kick", i)));
+    std::vector<double> guise = canonical_weights(task.shape, state.weights);
+    const auto same = [&](const std::vector<double>& other) {
+      double difference = 0.0;
+      for (std::size_t k = 0; k < task.shape.hidden_weights(); ++k) {
+        difference = std::max(difference, std::abs(guise[k] - other[k]));
+      }
+      return difference <= kDifferent;
+    };
+    if (std::any_of(guises.begin(), guises.end(), same)) continue;
+    guises.push_back(std::move(guise));
+    chosen.push_back(std::move(state));
+  }
+  return chosen;
+}
+
+void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
+  const auto scaled = [scale](std::vector<double> values) {
+    for (double& value : values) value *= scale;
+    return values;
+  };
+  result.diagnostics.swarm_evaluations = swarm.evaluations;
+  result.history.push_back({"swarm_best", scaled(swarm.history)});
+  result.history.push_back({"swarm_mean", scaled(swarm.mean_history)});
+  result.ending.reason =
+      fmt::format("swarm: {}; training: {}", swarm.termination.reason, result.ending.reason);
+}
+
+}  // namespace
+
+Identification identify_pso_bp(const Dataset& training, const Dataset& validation,
+                               const IdentifyOptions& options, Progress& progress) {
+  const NetworkTask task = prepare_network(training, validation, options);
+  const NetworkTrainer trainer(task.shape, task.samples, task.validation ? &*task.validation : nullptr,
+                               options.network);
+  const SwarmFitnessFunction fitness(task.shape, task.samples, options, progress);
+  std::vector<std::vector<double>> initial = initial_swarm(task, options);
+  const SwarmSettings settings = settings_of(options.swarm, initial);
+  const auto observe = [&](std::size_t iteration, double) {
+    progress.update("swarm", iteration, settings.iterations);
+    return !progress.cancelled();
+  };
+  const SwarmResult swarm = minimise_by_swarm([&fitness](std::span<const double> x) { return fitness(x); },
+                                              std::move(initial), settings, options.seed, observe);
+  if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
+
+  std::vector<TrainingState> particles = diverse_particles(task, trainer, swarm, options);
+  Refinement refinement =
+      refine(trainer, std::move(particles),
+             {.epochs = options.network.epochs, .good_enough = task.good_enough()}, progress);
+  refinement.epochs += fitness.epochs();
+  Identification result = make_network_identification("pso-bp", task, options, refinement);
+  add_swarm(result, swarm, output_half_range(task.network) / task.training.output_unit.to_canonical);
+  // An evaluation that trains has been counted by its epochs.
+  if (options.swarm.fitness != SwarmFitness::trained) {
+    result.diagnostics.iterations = refinement.epochs + swarm.evaluations;
+  }
+  return result;
+}
+
+}  // namespace proofmass

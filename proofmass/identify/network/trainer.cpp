@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/network/trainer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "proofmass/identify/network/descent_internal.hpp"
+#include "proofmass/numeric/network/perceptron_kernels.hpp"
+#include "proofmass/numeric/network/variable_projection.hpp"
+#include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
+
+namespace proofmass {
+namespace {
+
+LevenbergMarquardtOptions textbook(const NetworkOptions& options) {
+  return {.damping = Damping::multiplicative,
+          .scaled = false,
+          .mu = options.mu,
+          .decrease = options.mu_decrease,
+          .increase = options.mu_increase,
+          .mu_max = options.mu_max,
+          .minimum_gradient = options.minimum_gradient};
+}
+
+LevenbergMarquardtOptions projected() {
+  return {.damping = Damping::gain_ratio,
+          .scaled = true,
+          .geodesic_acceleration = true,
+          .mu = 0.1,
+          .mu_max = 1e16};
+}
+
+// Until what is left to gain is not worth the epochs.
+LevenbergMarquardtOptions projected_until_rest() {
+  LevenbergMarquardtOptions settings = projected();
+  settings.stall_window = 6;
+  settings.stall_reduction = 1e-2;
+  return settings;
+}
+
+LevenbergMarquardtOptions projected_until_minimum() {
+  LevenbergMarquardtOptions settings = projected();
+  settings.stall_window = 50;
+  settings.stall_reduction = 1e-5;
+  return settings;
+}
+
+// A kick adds normal numbers of this standard deviation to the hidden weights, of inputs scaled to [-1, 1]:
+// enough to leave the valley, little enough to keep what has been learnt.
+constexpr double kKick = 0.03;
+// A kick has helped when training comes to rest at less than this share of the least sum of squares before.
+constexpr double kGain = 0.8;
+
+void mention_kicks(TrainingState& state) {
+  if (state.kicks == 0 || state.termination.cause == Cause::stopped) return;
+  state.termination.reason +=
+      fmt::format("; kicks: {}, the last {} without gain", state.kicks, state.idle_kicks);
+}
+
+}  // namespace
+
+NetworkTrainer::NetworkTrainer(const PerceptronShape& shape, const Samples& training,
+                               const Samples* validation, const NetworkOptions& options)
+    : shape_(shape), training_(training), validation_(validation), options_(options) {}
+
+TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream random) const {
+  if (weights.size() == shape_.hidden_weights()) {
+    weights = with_solved_output_layer(shape_, training_, std::move(weights));
+  }
+  TrainingState state;
+  state.random = random;
+  state.weights = std::move(weights);
+  state.point = state.weights;
+  state.training_rmse = root_mean(perceptron_sse(shape_, state.weights, training_), training_);
+  state.training_curve = {state.training_rmse};
+  state.mu = options_.trainer == Trainer::lm ? options_.mu : projected().mu;
+  if (validation_ != nullptr) {
+    state.validation_rmse = root_mean(perceptron_sse(shape_, state.weights, *validation_), *validation_);
+    state.validation_curve = {state.validation_rmse};
+  }
+  return state;
+}
+
+bool NetworkTrainer::go_on(TrainingState& state, double sum_of_squares) const {
+  if (options_.trainer != Trainer::varpro || validation_ != nullptr) return false;
+  const bool helped = sum_of_squares < kGain * state.settled;
+  state.settled = std::min(state.settled, sum_of_squares);
+  state.idle_kicks = helped ? 0 : state.idle_kicks + 1;
+  state.point = state.weights;
+  state.mu = projected().mu;
+  if (state.idle_kicks >= options_.kicks) return false;
+  ++state.kicks;
+  for (std::size_t k = 0; k < shape_.hidden_weights(); ++k) state.point[k] += kKick * state.random.normal();
+  return true;
+}
+
+LevenbergMarquardtOptions NetworkTrainer::settings(const TrainingState& state) const {
+  // Validation rows end the training themselves.
+  LevenbergMarquardtOptions settings = options_.trainer == Trainer::lm ? textbook(options_)
+                                       : validation_ != nullptr        ? projected_until_minimum()
+                                                                       : projected_until_rest();
+  settings.mu = state.mu;
+  return settings;
+}
+
+void NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& state) const {
+  state.epochs += result.iterations;
+  state.mu = result.mu;
+  state.termination = std::move(result.termination);
+  state.point = options_.trainer == Trainer::varpro
+                    ? with_solved_output_layer(shape_, training_, std::move(result.point))
+                    : std::move(result.point);
+  const double rmse = root_mean(result.sum_of_squares, training_);
+  if (validation_ != nullptr || !(rmse <= state.training_rmse)) return;
+  state.training_rmse = rmse;
+  state.weights = state.point;
+}
+
+void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
+                           const std::function<bool()>& keep_going) const {
+  if (state.finished) return;
+  NetworkDescent descent(shape_, training_, validation_, options_, state, keep_going);
+  for (std::size_t left = epochs; left > 0 && !state.finished;) {
+    LevenbergMarquardtOptions settings = this->settings(state);
+    settings.iterations = left;
+    LevenbergMarquardtResult result = descent.run(settings);
+    left -= std::min(left, std::max<std::size_t>(result.iterations, 1));
+    const double sum_of_squares = result.sum_of_squares;
+    take(std::move(result), state);
+    if (state.termination.cause == Cause::iteration_limit) return;
+    state.finished = state.termination.cause != Cause::stalled || !go_on(state, sum_of_squares);
+  }
+  if (!state.finished) {
+    state.termination = {Cause::iteration_limit, "the epochs allowed are spent"};
+  } else if (descent.stopped_early()) {
+    state.termination.reason =
+        fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
+  } else {
+    mention_kicks(state);
+  }
+}
+
+void NetworkTrainer::polish(TrainingState& state, std::size_t epochs,
+                            const std::function<bool()>& keep_going) const {
+  const bool rests = state.finished && state.termination.cause == Cause::stalled;
+  if (options_.trainer != Trainer::varpro || validation_ != nullptr || !rests || epochs == 0) return;
+  NetworkDescent descent(shape_, training_, validation_, options_, state, keep_going);
+  LevenbergMarquardtOptions settings = projected_until_minimum();
+  settings.iterations = epochs;
+  state.point = state.weights;
+  take(descent.run(settings), state);
+  mention_kicks(state);
+}
+
+double NetworkTrainer::merit(const TrainingState& state) const noexcept {
+  const double rmse = validation_ != nullptr ? state.validation_rmse : state.training_rmse;
+  return std::isnan(rmse) ? std::numeric_limits<double>::infinity() : rmse;
+}
+
+std::vector<double> with_solved_output_layer(const PerceptronShape& shape, const Samples& samples,
+                                             std::vector<double> hidden_weights) {
+  SeparablePerceptron problem(shape, samples);
+  (void)problem.evaluate(hidden_weights);
+  hidden_weights.insert(hidden_weights.end(), problem.output_weights().begin(),
+                        problem.output_weights().end());
+  return hidden_weights;
+}
+
+}  // namespace proofmass

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/regression/uncertainties.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "proofmass/core/error.hpp"
+
+namespace proofmass {
+namespace {
+
+bool used(Axis axis, const TermList& terms) {
+  return std::any_of(terms.begin(), terms.end(), [axis](Term term) { return info(term).uses(axis); });
+}
+
+bool any_above_zero(const std::vector<double>& column) {
+  return std::any_of(column.begin(), column.end(), [](double sigma) { return sigma > 0.0; });
+}
+
+// Whether some input that the terms use is uncertain.
+bool find_input(const Dataset& data, const TermList& terms, const std::optional<double>& constant,
+                Uncertainties& found) {
+  bool replaced = false;
+  bool any = false;
+  for (const Axis axis : data.axes()) {
+    if (!used(axis, terms)) continue;
+    const auto k = static_cast<std::size_t>(axis);
+    const std::vector<double>& recorded = data.acceleration_sigma[k];
+    replaced = replaced || (constant && !recorded.empty());
+    found.input[k] = constant ? std::vector<double>(data.rows(), *constant) : recorded;
+    if (!any_above_zero(found.input[k])) found.input[k].clear();
+    any = any || !found.input[k].empty();
+  }
+  if (replaced) found.notes.emplace_back("--sigma-input-ug takes the place of the record's sigma columns");
+  return any;
+}
+
+// Output units per g of input.
+double sensitivity(std::string_view method, const Dataset& data, const TermList& terms,
+                   const std::vector<double>& least_squares) {
+  const auto ki = std::find(terms.begin(), terms.end(), Term::Ki);
+  if (ki != terms.end()) return std::abs(least_squares[static_cast<std::size_t>(ki - terms.begin())]);
+  if (data.output_unit.is_acceleration()) return 1.0;
+  throw refusal(
+      fmt::format("{} cannot tell what --sigma-output-ug is in {} without the term Ki; give a column sigma_E",
+                  method, data.output_unit.canonical_symbol()));
+}
+
+constexpr double kLeastSigma = 1e-30;
+constexpr double kMostSigma = 1e30;
+
+bool in_range(double sigma) { return sigma >= kLeastSigma && sigma <= kMostSigma; }
+
+void require_usable_constant(std::string_view option, double sigma) {
+  if (in_range(sigma)) return;
+  throw usage_error(
+      fmt::format("{} is {:.3g} g, expected {:.0g} to {:.0g} g", option, sigma, kLeastSigma, kMostSigma));
+}
+
+void require_usable_column(const Dataset& record, const std::vector<double>& sigma, const std::string& column,
+                           bool zero_is_exact) {
+  for (std::size_t row = 0; row < sigma.size(); ++row) {
+    if (in_range(sigma[row]) || (zero_is_exact && sigma[row] == 0.0)) continue;
+    throw bad_data(
+        {.file = record.source, .row = record.line.empty() ? row + 1 : record.line[row], .column = column},
+        fmt::format("{}", sigma[row]),
+        zero_is_exact ? "a standard uncertainty of 1e-30 to 1e30, or zero"
+                      : "a standard uncertainty above zero, of 1e-30 to 1e30");
+  }
+}
+
+// What to give for the uncertainties that are missing.
+std::string wanted(std::string_view method, bool output, bool inputs) {
+  std::string text = fmt::format("{} needs ", method);
+  if (output) {
+    text +=
+        "the uncertainty of the output: a column sigma_E in the record, or --sigma-output-ug, referred to "
+        "the "
+        "input";
+  }
+  if (output && inputs) text += "; and ";
+  if (inputs) {
+    text +=
+        "the uncertainty of at least one input that the model uses, above zero: columns sigma_Ai, sigma_Ao, "
+        "sigma_Ap in the record, or --sigma-input-ug for all axes; where inputs are exact, use ols";
+  }
+  return text;
+}
+
+}  // namespace
+
+void require_usable_sigmas(const Dataset& record, const SigmaColumns& used) {
+  if (used.output) require_usable_column(record, record.output_sigma, "sigma_E", false);
+  if (!used.inputs) return;
+  for (const Axis axis : kAxes) {
+    require_usable_column(record, record.acceleration_sigma[static_cast<std::size_t>(axis)],
+                          fmt::format("sigma_{}", axis_name(axis)), true);
+  }
+}
+
+Uncertainties find_uncertainties(std::string_view method, const Dataset& data, const TermList& terms,
+                                 const std::vector<double>& least_squares,
+                                 const UncertaintyOptions& options) {
+  Uncertainties found;
+  require_usable_sigmas(data, {.output = !options.output, .inputs = !options.input});
+  if (options.input && *options.input != 0.0) require_usable_constant("--sigma-input-ug", *options.input);
+  const bool output_missing = !options.output && data.output_sigma.empty();
+  const bool inputs_missing = !find_input(data, terms, options.input, found);
+  if (output_missing || inputs_missing) throw refusal(wanted(method, output_missing, inputs_missing));
+  if (options.output) {
+    const double sigma = *options.output * sensitivity(method, data, terms, least_squares);
+    require_usable_constant("--sigma-output-ug", *options.output);
+    found.output.assign(data.rows(), sigma);
+    if (!data.output_sigma.empty()) {
+      found.notes.emplace_back("--sigma-output-ug takes the place of the record's sigma_E");
+    }
+  } else {
+    found.output = data.output_sigma;
+  }
+  return found;
+}
+
+std::string describe_standard_errors(ChiSquareScaling scaling, double ratio) {
+  const double factor = std::sqrt(ratio);
+  if (scaling == ChiSquareScaling::given) {
+    return fmt::format(
+        "standard errors take the uncertainties given as they are; the residuals are {:.3g} times as large "
+        "as "
+        "these lead to expect",
+        factor);
+  }
+  return fmt::format(
+      "standard errors take from the uncertainties given only their ratios, and are scaled by {:.3g}, the "
+      "size of the residuals over that expected",
+      factor);
+}
+
+}  // namespace proofmass

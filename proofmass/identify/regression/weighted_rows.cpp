@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/regression/weighted_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "proofmass/core/error.hpp"
+
+namespace proofmass {
+namespace {
+
+// The weight that a row must be above to count.
+double no_weight(std::span<const double> weights) {
+  return kNoWeight * *std::max_element(weights.begin(), weights.end());
+}
+
+std::vector<std::size_t> rows_with_weight(std::span<const double> weights) {
+  const double least = no_weight(weights);
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < weights.size(); ++row) {
+    if (weights[row] > least) rows.push_back(row);
+  }
+  return rows;
+}
+
+Error weighted_refusal(const Dataset& data, const Identifiability& left, std::size_t rows) {
+  std::string message =
+      fmt::format("{}: the {} of {} rows that have weight cannot identify {} of the terms:", data.source,
+                  rows, data.rows(), left.lost.size());
+  for (const auto& lost : left.lost) message += fmt::format("\n  {}: {}", name(lost.term), lost.reason);
+  return refusal(message +
+                 "\nfit without them (--on-rank-loss drop), ask for fewer terms (--terms), or look at the "
+                 "rows that lost their weight");
+}
+
+// An exact fit to as many rows as terms says nothing of its errors.
+void require_spare_row(const Dataset& data, const Identifiability& left, std::size_t rows) {
+  if (rows > left.identified.size()) return;
+  throw refusal(fmt::format(
+      "{}: {} of {} rows have weight beside the others, too few for {} terms; at least one more "
+      "than the terms is needed: ask for fewer terms (--terms), or look at the rows that lost their weight",
+      data.source, rows, data.rows(), left.identified.size()));
+}
+
+}  // namespace
+
+std::size_t count_rows_with_weight(std::span<const double> weights) {
+  const double least = no_weight(weights);
+  return static_cast<std::size_t>(
+      std::count_if(weights.begin(), weights.end(), [least](double weight) { return weight > least; }));
+}
+
+Identifiability require_identifiable_by_weight(const Dataset& data, const Identifiability& found,
+                                               std::span<const double> weights, RankLossPolicy policy) {
+  if (*std::min_element(weights.begin(), weights.end()) > no_weight(weights)) return found;
+  const std::vector<std::size_t> rows = rows_with_weight(weights);
+  Identifiability left = analyse_identifiability(data.select(rows), found.identified);
+  if (left.lost.empty()) {
+    require_spare_row(data, found, rows.size());
+    return found;
+  }
+  if (policy == RankLossPolicy::refuse || left.identified.empty())
+    throw weighted_refusal(data, left, rows.size());
+  require_spare_row(data, left, rows.size());
+  for (auto& lost : left.lost) {
+    lost.reason += fmt::format(" (among the {} of {} rows that have weight)", rows.size(), data.rows());
+  }
+  left.lost.insert(left.lost.end(), found.lost.begin(), found.lost.end());
+  std::sort(left.lost.begin(), left.lost.end(),
+            [](const Unidentifiable& a, const Unidentifiable& b) { return a.term < b.term; });
+  return left;
+}
+
+}  // namespace proofmass

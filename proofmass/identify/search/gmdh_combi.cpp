@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/model/design_matrix.hpp"
+#include "proofmass/identify/model/identifiability.hpp"
+#include "proofmass/identify/model/static_fit.hpp"
+#include "proofmass/identify/model/term_sums.hpp"
+#include "proofmass/identify/search/gmdh_criterion.hpp"
+#include "proofmass/identify/search/gmdh_forms.hpp"
+#include "proofmass/numeric/linear/column_scaling.hpp"
+#include "proofmass/numeric/linear/normal_solution.hpp"
+#include "proofmass/numeric/selection/subset_search.hpp"
+
+namespace proofmass {
+namespace {
+
+Matrix scaled_design(const Dataset& training, const TermList& terms) {
+  Matrix design = design_matrix(training, terms);
+  const std::vector<double> scales = column_scales(design);
+  for (std::size_t c = 0; c < design.columns(); ++c) {
+    for (double& value : design.column(c)) value *= scales[c];
+  }
+  return design;
+}
+
+// A mean square that rounding of the output and of the arithmetic can explain: without it a record free of
+// noise would choose terms by rounding errors.
+double rounding_floor(const std::vector<double>& output) {
+  double sum = 0.0;
+  for (const double value : output) sum += value * value;
+  return std::pow(16.0 * std::numeric_limits<double>::epsilon(), 2) * sum /
+         static_cast<double>(output.size());
+}
+
+SubsetSearchResult choose(const SubsetCriterion& criterion, const Dataset& training,
+                          const GmdhOptions& options, Progress& progress) {
+  const SubsetSearchSettings settings{.beam = options.beam,
+                                      .models = options.models,
+                                      .tolerance = std::pow(1.0 + options.tolerance, 2) - 1.0,
+                                      .floor = rounding_floor(training.output)};
+  SubsetSearchResult found = search_subsets(criterion, settings, [&](std::size_t done) {
+    progress.update("gmdh candidates", done, std::max(done, options.models));
+    return !progress.cancelled();
+  });
+  if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted in the search for terms");
+  return found;
+}
+
+TermList chosen_terms(const TermList& candidates, Subset subset) {
+  TermList chosen;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if ((subset >> k & 1U) != 0U) chosen.push_back(candidates[k]);
+  }
+  return chosen;
+}
+
+StaticFit refit(const NormalSolution& solution) {
+  StaticFit fit{
+      .coefficients = solution.coefficients, .covariance = solution.unscaled_covariance, .vif = solution.vif};
+  const double variance = solution.rss / static_cast<double>(solution.dof);
+  for (std::size_t c = 0; c < fit.covariance.columns(); ++c) {
+    for (double& value : fit.covariance.column(c)) value *= variance;
+  }
+  return fit;
+}
+
+void explain_left_out(Identification& result, const TermList& candidates, const SubsetCriterion& criterion,
+                      const SubsetSearchResult& found) {
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if ((found.best >> k & 1U) != 0U) continue;
+    for (Coefficient& c : result.coefficients) {
+      if (c.term != candidates[k]) continue;
+      c.left_out = true;
+      c.reason = fmt::format("left out by the search: the criterion is {:.6g} without it, {:.6g} with it",
+                             std::sqrt(found.value), std::sqrt(criterion.value(found.best | Subset{1} << k)));
+    }
+  }
+}
+
+Curve criterion_curve(const SubsetSearchResult& found) {
+  Curve curve{.name = "criterion_by_terms", .values = {}};
+  for (const double value : found.value_of_size) curve.values.push_back(std::sqrt(value));
+  return curve;
+}
+
+void add_notes(Identification& result, const GmdhRows& rows, const SubsetSearchResult& found,
+               const TermList& candidates, const TermList& chosen) {
+  auto& notes = result.diagnostics.notes;
+  notes.push_back(fmt::format("{} of {} terms chosen by {} (root mean square {:.6g} {}): {}", chosen.size(),
+                              candidates.size(), rows.name(), std::sqrt(found.value),
+                              result.output_unit.canonical_symbol(), join_names(chosen)));
+  notes.emplace_back(
+      "coefficients are those of ordinary least squares with the chosen terms on all training rows; their "
+      "standard errors take the choice as given, so they leave out its uncertainty, and a left-out "
+      "coefficient is small, not known to be zero");
+  notes.emplace_back(
+      "standard errors assume exact inputs and output noise that is white with the same variance in every "
+      "row");
+}
+
+std::string ending_reason(const SubsetSearchResult& found, std::size_t candidates) {
+  const std::string searched = fmt::format("{} models computed of the {} there are", found.evaluations,
+                                           (std::uint64_t{1} << candidates) - 1);
+  return found.proven ? searched + "; the bound rules out that any other is better"
+                      : searched + "; a better one may exist, for the search was not exhaustive";
+}
+
+}  // namespace
+
+Identification identify_gmdh_combi(const Dataset& training, const IdentifyOptions& options,
+                                   Progress& progress) {
+  const TermSums sums(training, options.terms);
+  const Identifiability all = require_identifiable(sums, options.on_rank_loss);
+  const GmdhRows rows(training, all.identified, options.gmdh, options.seed);
+  const auto criterion = rows.criterion(scaled_design(training, all.identified), training.output);
+  const SubsetSearchResult found = choose(*criterion, training, options.gmdh, progress);
+
+  const TermList chosen = chosen_terms(all.identified, found.best);
+  Identifiability kept = analyse_identifiability(sums, chosen);
+  kept.lost = all.lost;
+  const NormalSolution solution = solve_normal_equations(sums.gram(chosen), sums.rows(chosen));
+  Identification result = make_identification("gmdh", training, options, kept, refit(solution));
+  explain_left_out(result, all.identified, *criterion, found);
+  add_residual_figures(result.diagnostics, training, solution.rss, chosen.size());
+  add_notes(result, rows, found, all.identified, chosen);
+  result.diagnostics.models_tried = found.evaluations;
+  result.diagnostics.iterations = found.evaluations;
+  result.history.push_back(criterion_curve(found));
+  result.ending = {.status = found.proven ? EndingStatus::converged : EndingStatus::iteration_limit,
+                   .reason = ending_reason(found, all.identified.size())};
+  return result;
+}
+
+}  // namespace proofmass

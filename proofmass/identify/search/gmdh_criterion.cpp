@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/search/gmdh_criterion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/model/identifiability.hpp"
+#include "proofmass/numeric/random.hpp"
+
+namespace proofmass {
+namespace {
+
+struct Part {
+  Matrix design;
+  std::vector<double> y;
+  [[nodiscard]] Regression regression() const { return {.design = design, .y = y}; }
+};
+
+Part select(const Matrix& design, std::span<const double> y, std::span<const std::size_t> rows) {
+  Part part{.design = Matrix(rows.size(), design.columns()), .y = std::vector<double>(rows.size())};
+  for (std::size_t c = 0; c < design.columns(); ++c) {
+    for (std::size_t r = 0; r < rows.size(); ++r) part.design(r, c) = design(rows[r], c);
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) part.y[r] = y[rows[r]];
+  return part;
+}
+
+constexpr const char* kRemedy = "; criterion press needs no such division";
+
+void require_usable(const Dataset& training, const TermList& terms, std::span<const std::size_t> rows) {
+  if (rows.size() <= terms.size()) {
+    throw bad_data({.file = training.source, .row = 0, .column = ""}, fmt::format("{} rows", rows.size()),
+                   fmt::format("at least {} in each part that the criterion divides the training rows into{}",
+                               terms.size() + 1, kRemedy));
+  }
+  const Identifiability part = analyse_identifiability(training.select(rows), terms);
+  if (part.lost.empty()) return;
+  throw refusal(fmt::format("a part of {} rows, which the criterion sets apart, cannot identify {}: {}{}",
+                            rows.size(), name(part.lost.front().term), part.lost.front().reason, kRemedy));
+}
+
+}  // namespace
+
+GmdhRows::GmdhRows(const Dataset& training, const TermList& terms, const GmdhOptions& options,
+                   std::uint64_t seed)
+    : kind_(options.criterion), rows_(training.rows()) {
+  if (kind_ == GmdhCriterion::press) return;
+  const double share = kind_ == GmdhCriterion::unbiasedness ? 0.5 : options.checking_share;
+  RandomStream random(seed, stream_id("gmdh rows"));
+  first_ = random_permutation(rows_, random);
+  const auto checking = static_cast<std::ptrdiff_t>(std::llround(share * static_cast<double>(rows_)));
+  second_.assign(first_.begin(), first_.begin() + checking);
+  first_.erase(first_.begin(), first_.begin() + checking);
+  for (auto* rows : {&first_, &second_}) {
+    std::sort(rows->begin(), rows->end());
+    require_usable(training, terms, *rows);
+  }
+}
+
+std::unique_ptr<SubsetCriterion> GmdhRows::criterion(const Matrix& design, std::span<const double> y) const {
+  if (kind_ == GmdhCriterion::press) return press_criterion({.design = design, .y = y});
+  const Part first = select(design, y, first_);
+  const Part second = select(design, y, second_);
+  return kind_ == GmdhCriterion::regularity ? regularity_criterion(first.regression(), second.regression())
+                                            : unbiasedness_criterion(first.regression(), second.regression());
+}
+
+std::span<const std::size_t> GmdhRows::fitting() const noexcept {
+  if (kind_ == GmdhCriterion::regularity) return first_;
+  return {};
+}
+
+std::string GmdhRows::name() const {
+  switch (kind_) {
+    case GmdhCriterion::press:
+      return fmt::format("PRESS over {} rows", rows_);
+    case GmdhCriterion::regularity:
+      return fmt::format("regularity on {} checking rows of {}", second_.size(), rows_);
+    case GmdhCriterion::unbiasedness:
+      return fmt::format("unbiasedness of halves of {} and {} rows", first_.size(), second_.size());
+  }
+  return "";
+}
+
+}  // namespace proofmass

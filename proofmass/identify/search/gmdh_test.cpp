@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/search/gmdh.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/identify/regression/ols.hpp"
+#include "support/twin.hpp"
+
+namespace proofmass {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+IdentifyOptions options_for(const char* terms, const GmdhOptions& gmdh = {}) {
+  IdentifyOptions options;
+  options.terms = parse_terms(terms);
+  options.gmdh = gmdh;
+  return options;
+}
+
+Identification fit(const Dataset& record, const IdentifyOptions& options) {
+  SilentProgress progress;
+  return identify_gmdh(record, {}, options, progress);
+}
+
+void expect_error(const Dataset& record, const IdentifyOptions& options, ErrorKind kind, const char* text) {
+  try {
+    (void)fit(record, options);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), kind);
+    EXPECT_THAT(error.what(), HasSubstr(text));
+  }
+}
+
+TEST(GmdhCombi, WithoutNoiseExactlyTheTrueTerms) {
+  for (const char* terms : {"K0,Ki,Kii,Kip,Koq", "linear", "paper", "Ki,Kop,Kiop,Kppp"}) {
+    StaticModel truth{.terms = parse_terms(terms), .coefficients = {}};
+    for (std::size_t k = 0; k < truth.terms.size(); ++k)
+      truth.coefficients.push_back(truth.terms[k] == Term::Ki ? 0.99 : 1e-6 * static_cast<double>(k + 1));
+    for (const auto criterion :
+         {GmdhCriterion::press, GmdhCriterion::regularity, GmdhCriterion::unbiasedness}) {
+      const Identification result =
+          fit(test::make_twin({.noise = 0.0}, truth), options_for("full", {.criterion = criterion}));
+      EXPECT_EQ(result.static_model().terms, truth.terms) << terms;
+      for (const Term term : truth.terms)
+        EXPECT_NEAR(result.static_model().coefficient(term), truth.coefficient(term), 1e-13);
+    }
+  }
+}
+
+// By PRESS a superfluous term stays when its t² exceeds 2, with a probability of 0.16.
+TEST(GmdhCombi, TrueTermsAllAndFalseOnesFew) {
+  const StaticModel truth = test::paper_truth();
+  constexpr std::uint64_t seeds = 20;
+  std::size_t false_terms = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Dataset record = test::make_twin({.rows = 1400, .noise = 1e-5, .seed = seed});
+    const Identification result = fit(record, options_for("full"));
+    EXPECT_EQ(result.ending.status, EndingStatus::converged) << result.ending.reason;
+    for (const Coefficient& c : result.coefficients) {
+      const bool real = truth.coefficient(c.term) != 0.0;
+      EXPECT_TRUE(c.identified || !real) << name(c.term) << " seed " << seed;
+      if (!real && c.identified) ++false_terms;
+    }
+  }
+  const double rate = static_cast<double>(false_terms) / (6.0 * seeds);
+  EXPECT_LT(rate, 0.25);
+  RecordProperty("false_term_rate", std::to_string(rate));
+}
+
+TEST(GmdhCombi, IsLeastSquaresOnTheTermsItChose) {
+  const Dataset record = test::make_twin();
+  const Identification result = fit(record, options_for("full"));
+  const StaticModel model = result.static_model();
+  EXPECT_LT(model.terms.size(), 21U);
+  IdentifyOptions again;
+  again.terms = model.terms;
+  SilentProgress progress;
+  const Identification ols = identify_ols(record, {}, again, progress);
+  EXPECT_EQ(model.coefficients, ols.static_model().coefficients);
+  EXPECT_EQ(result.covariance, ols.covariance);
+  EXPECT_EQ(result.diagnostics.residual_sd, ols.diagnostics.residual_sd);
+  EXPECT_THAT(result.diagnostics.notes, Contains(HasSubstr("take the choice as given")));
+  for (const Coefficient& c : result.coefficients) {
+    EXPECT_EQ(c.identified, model.coefficient(c.term) != 0.0);
+    EXPECT_THAT(c.reason, HasSubstr(c.identified ? "" : "left out by the search"));
+  }
+  ASSERT_EQ(result.history.size(), 1U);
+  EXPECT_EQ(result.history[0].values.size(), 21U);
+}
+
+TEST(GmdhCombi, SaysWhenTheSearchWasNotExhaustive) {
+  const Identification result =
+      fit(test::make_twin(), options_for("full", {.criterion = GmdhCriterion::unbiasedness, .models = 50}));
+  EXPECT_EQ(result.ending.status, EndingStatus::iteration_limit);
+  EXPECT_THAT(result.ending.reason, HasSubstr("not exhaustive"));
+}
+
+TEST(Gmdh, RefusesPartsThatCannotServe) {
+  const Dataset record = test::make_twin({.rows = 30});
+  expect_error(record, options_for("paper", {.criterion = GmdhCriterion::unbiasedness}), ErrorKind::bad_data,
+               "at least 16 in each part");
+  expect_error(record, options_for("paper", {.criterion = GmdhCriterion::regularity, .checking_share = 1.0}),
+               ErrorKind::usage, "checking share");
+  Dataset lopsided = test::make_twin({.rows = 60});
+  for (std::size_t r = 1; r < 60; ++r) lopsided.acceleration[1][r] = 0.0;
+  expect_error(lopsided, options_for("linear", {.criterion = GmdhCriterion::unbiasedness}),
+               ErrorKind::refused, "criterion press needs no such division");
+  expect_error(record, options_for("K0,Ki,Kii", {.form = GmdhForm::mia}), ErrorKind::refused, "form combi");
+}
+
+// Products of two axes and squares are what one neuron can do, so a truth of these must come out exactly.
+TEST(GmdhMia, ExpandsToTheTruthWhereNeuronsCanHoldIt) {
+  const StaticModel truth{.terms = {Term::K0, Term::Ki, Term::Kii, Term::Kio, Term::Ko, Term::Koo},
+                          .coefficients = {1e-5, 0.99, 2e-5, 3e-5, -4e-5, 5e-6}};
+  const Identification result =
+      fit(test::make_twin({.noise = 0.0}, truth), options_for("full", {.form = GmdhForm::mia}));
+  for (const Coefficient& c : result.coefficients)
+    EXPECT_NEAR(c.value, truth.coefficient(c.term), 1e-12) << name(c.term);
+}
+
+TEST(GmdhMia, SeesTheOddQuadraticTermAsAnInput) {
+  const StaticModel truth{.terms = {Term::K0, Term::Ki, Term::Koq}, .coefficients = {1e-5, 0.99, 7e-5}};
+  const Identification result =
+      fit(test::make_twin({.noise = 0.0}, truth), options_for("full", {.form = GmdhForm::mia}));
+  EXPECT_NEAR(result.static_model().coefficient(Term::Koq), 7e-5, 1e-12);
+  EXPECT_NEAR(result.static_model().coefficient(Term::Kii), 0.0, 1e-12);
+}
+
+TEST(GmdhMia, ReportsWhatFallsOutsideAndClaimsNoStandardErrors) {
+  const Identification result = fit(test::make_twin(), options_for("full", {.form = GmdhForm::mia}));
+  EXPECT_THAT(result.diagnostics.notes, Contains(HasSubstr("outside the 21 terms")));
+  EXPECT_FALSE(result.coefficients[1].standard_error.has_value());
+  EXPECT_TRUE(result.covariance.empty());
+  EXPECT_NEAR(result.coefficients[1].value, 0.999979, 1e-2);
+  ASSERT_EQ(result.history.size(), 1U);
+  EXPECT_EQ(result.history[0].name, "criterion_by_layer");
+  EXPECT_FALSE(result.ending.reason.empty());
+}
+
+}  // namespace
+}  // namespace proofmass

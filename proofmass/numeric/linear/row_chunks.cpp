@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/numeric/linear/row_chunks.hpp"
+
+#include <algorithm>
+
+#include "proofmass/numeric/linear/regression_rows.hpp"
+#include "proofmass/numeric/parallel.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr std::size_t kLeastRows = 32 * RowBlock::kRows;  // a share worth another thread's attention
+constexpr std::size_t kMostShares = 64;
+
+std::size_t share_rows(std::size_t rows) noexcept {
+  const std::size_t even = (rows + kMostShares - 1) / kMostShares;
+  const std::size_t blocks = (even + RowBlock::kRows - 1) / RowBlock::kRows;
+  return std::max(kLeastRows, blocks * RowBlock::kRows);
+}
+
+}  // namespace
+
+std::size_t row_shares(std::size_t rows) noexcept { return (rows + share_rows(rows) - 1) / share_rows(rows); }
+
+void for_each_row_share(std::size_t rows,
+                        const std::function<void(std::size_t, std::size_t, std::size_t)>& body) {
+  const std::size_t size = share_rows(rows);
+  const auto run = [&](std::size_t share) { body(share, share * size, std::min(rows, (share + 1) * size)); };
+  if (row_shares(rows) == 1) {
+    run(0);  // small work starts no threads
+  } else {
+    parallel_for(row_shares(rows), run);
+  }
+}
+
+}  // namespace proofmass

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/numeric/network/variable_projection.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "proofmass/numeric/network/basis_factor_internal.hpp"
+
+namespace proofmass {
+namespace {
+
+using Map = Eigen::Map<Eigen::MatrixXd>;
+using ConstMap = Eigen::Map<const Eigen::MatrixXd>;
+
+Map view(Matrix& m) {
+  return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
+}
+
+ConstMap cview(const Matrix& m) {
+  return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
+}
+
+constexpr int kPasses = 8;
+// Relative errors of the sum of squares that are good enough to train by, and to search by.
+constexpr double kTraining = 1e-12;
+constexpr double kSearching = 1e-4;
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRounding = 16.0 * kEpsilon;
+// Samples that tell of many more. What is left of a column of P may at least be this share of its square when
+// the C that they give is made right for all.
+constexpr std::size_t kPilotRows = 4096;
+constexpr double kLeastLeft = 1e-2;
+
+}  // namespace
+
+SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Samples& samples)
+    : SeparablePerceptron(shape, samples, kNoColumns) {}
+
+SeparablePerceptron::SeparablePerceptron(const PerceptronShape& shape, const Samples& samples,
+                                         const ColumnBlock& fixed)
+    : shape_(shape),
+      samples_(samples),
+      fixed_(fixed),
+      products_(shape.output_weights() + fixed.columns()),
+      cross_(shape.hidden_weights(), shape.output_weights() + fixed.columns()),
+      projection_(shape.output_weights() + fixed.columns(), shape.hidden_weights()),
+      pe_(shape.hidden_weights()),
+      pq_(shape.hidden_weights(), shape.output_weights() + fixed.columns()) {
+  const std::size_t n = shape.output_weights() + fixed.columns();
+  for (Solution* solution : {&current_, &trial_}) {
+    solution->transform = Matrix(n, n);
+    solution->gram_inverse = Matrix(n, n);
+    solution->output_weights.assign(n, 0.0);
+    solution->state = SeparableState(shape, fixed.columns(), samples);
+    view(solution->transform).setIdentity();
+  }
+  if (current_.state.columns.keeps() || samples.rows() < 2 * kPilotRows) return;
+  pilot_rows_ = std::make_unique<const SampleRows>(one_of_each_stretch(samples, fixed, kPilotRows));
+  pilot_ = std::make_unique<SeparablePerceptron>(shape_, pilot_rows_->samples, pilot_rows_->fixed);
+}
+
+std::vector<double> SeparablePerceptron::all_weights(const Solution& solution) {
+  std::vector<double> weights = solution.hidden_weights;
+  weights.insert(weights.end(), solution.output_weights.begin(), solution.output_weights.end());
+  return weights;
+}
+
+SeparableNetwork SeparablePerceptron::network(std::span<const double> weights,
+                                              const Matrix& transform) const {
+  return {shape_, weights, samples_, fixed_, transform};
+}
+
+void SeparablePerceptron::sum_products(Solution& solution) {
+  const std::vector<double> weights = all_weights(solution);
+  sum_basis_products(network(weights, solution.transform), solution.state, products_);
+  for (std::size_t c = 0; c < columns(); ++c) {
+    if (solution.transform(c, c) == 0.0) products_.qq(c, c) = 1.0;  // left out before
+  }
+}
+
+void SeparablePerceptron::guess(std::span<const double> hidden_weights, double tolerance) {
+  if (pilot_) {
+    pilot_->guess(hidden_weights, tolerance);
+    (void)pilot_->solve(hidden_weights, tolerance);
+    trial_.transform = pilot_->trial_.transform;
+    trial_.output_weights = pilot_->trial_.output_weights;
+  } else {
+    trial_.transform = current_.transform;
+    predict(hidden_weights, trial_.output_weights);
+  }
+  restore_dropped(trial_.transform);
+}
+
+double SeparablePerceptron::solve(std::span<const double> hidden_weights, double tolerance) {
+  const auto size = static_cast<Eigen::Index>(columns());
+  trial_.hidden_weights.assign(hidden_weights.begin(), hidden_weights.end());
+  Eigen::Map<Eigen::VectorXd> c(trial_.output_weights.data(), size);
+  double sum = 0.0;
+  trial_.state.kept = Kept::nothing;
+  // Each pass finds the error e of the weights so far, and the weights' correction from its normal equations
+  // on q: Newton's iteration for a linear problem, which ends when rounding no longer matters. Columns that
+  // are badly conditioned are first made orthogonal. From a good guess and the transform of a point nearby,
+  // or of some of the samples, one pass is usually enough.
+  for (int pass = 1; pass <= kPasses; ++pass) {
+    sum_products(trial_);
+    if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
+      c.setZero();  // nobody may start from such weights
+      return std::numeric_limits<double>::infinity();
+    }
+    const double condition = invert_gram(products_.qq, trial_.gram_inverse);
+    const Eigen::Map<const Eigen::VectorXd> qe(products_.qe.data(), size);
+    const Eigen::VectorXd step = view(trial_.gram_inverse) * qe;
+    c += view(trial_.transform) * step;
+    const double change = step.dot(cview(products_.qq) * step) - 2.0 * qe.dot(step);
+    sum = std::max(products_.ee + change, kEpsilon * kEpsilon * products_.ee);
+    if (kEpsilon * condition * condition * products_.ee <= tolerance * sum) break;
+    if (condition < kWellConditioned || std::isinf(condition) || pass > kPasses / 2) continue;
+    orthonormalise(trial_.transform, products_.qq, std::sqrt(static_cast<double>(samples_.rows())));
+    trial_.state.kept = Kept::activations;
+    for (std::size_t k = 0; k < columns(); ++k) {
+      if (trial_.transform(k, k) == 0.0) trial_.output_weights[k] = 0.0;
+    }
+  }
+  // Output weights so large that rounding alone moves the output by as much as the residual would make any
+  // residual, zero included, meaningless: what rounding may hide counts as error.
+  const double rounding = kRounding * c.lpNorm<1>();
+  return sum + rounding * rounding * static_cast<double>(samples_.rows());
+}
+
+void SeparablePerceptron::predict(std::span<const double> hidden_weights,
+                                  std::vector<double>& output_weights) const {
+  output_weights = current_.output_weights;
+  if (!linearised_) return;
+  const auto p = static_cast<Eigen::Index>(hidden_weights.size());
+  const Eigen::Map<const Eigen::VectorXd> to(hidden_weights.data(), p);
+  const Eigen::Map<const Eigen::VectorXd> from(current_.hidden_weights.data(), p);
+  Eigen::Map<Eigen::VectorXd>(output_weights.data(), cview(projection_).rows()) -=
+      cview(current_.transform) * (cview(projection_) * (to - from));
+}
+
+double SeparablePerceptron::evaluate(std::span<const double> hidden_weights) {
+  guess(hidden_weights, kTraining);
+  return solve(hidden_weights, kTraining);
+}
+
+double SeparablePerceptron::estimate(std::span<const double> hidden_weights) {
+  guess(hidden_weights, kSearching);
+  return solve(hidden_weights, kSearching);
+}
+
+void SeparablePerceptron::accept() {
+  std::swap(current_, trial_);
+  trial_.output_weights = current_.output_weights;
+  linearised_ = false;
+}
+
+void SeparablePerceptron::project() {
+  const std::vector<double> weights = all_weights(current_);
+  sum_cross_products(network(weights, current_.transform), current_.state, cross_);
+  view(projection_).noalias() = cview(current_.gram_inverse) * cview(cross_).transpose();
+  linearised_ = true;
+}
+
+void SeparablePerceptron::follow(const Solution& point) {
+  current_.hidden_weights = point.hidden_weights;
+  current_.output_weights = point.output_weights;
+  current_.transform = point.transform;
+  current_.state.kept = Kept::nothing;
+  sum_products(current_);
+  invert_gram(products_.qq, current_.gram_inverse);
+  project();
+}
+
+bool SeparablePerceptron::correct(Matrix& normal) {
+  const Eigen::MatrixXd change = cview(current_.gram_inverse) * cview(pq_).transpose();
+  view(projection_) += change;
+  const Eigen::VectorXd before = cview(normal).diagonal();
+  view(normal).triangularView<Eigen::Lower>() -= cview(pq_) * change;
+  return (cview(normal).diagonal().array() >= kLeastLeft * before.array()).all();
+}
+
+// With P = D - q C, C = (qᵀq)⁻¹ qᵀD, the residual's Jacobian is -P. What is left of a column of D is often a
+// millionth of it: PᵀP from DᵀD and Dᵀq would be rounding. So a first pass finds C, a second sums what is
+// left; what rounding has left of q in it is a millionth of that again. A C from some of the samples leaves a
+// little of q, which is taken off the sums.
+void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
+  const std::vector<double> weights = all_weights(current_);
+  if (pilot_) {
+    pilot_->follow(current_);
+    projection_ = pilot_->projection_;
+    linearised_ = true;
+  } else {
+    project();
+  }
+  for (int pass = 1; pass <= kPasses; ++pass) {
+    sum_projected_products(network(weights, current_.transform), current_.state, projection_, normal, pe_,
+                           pilot_ ? &pq_ : nullptr);
+    if (!pilot_ || correct(normal)) break;
+  }
+  std::transform(pe_.begin(), pe_.end(), gradient.begin(), std::negate<>());
+}
+
+std::vector<double> SeparablePerceptron::second_in_basis(std::span<const double> along) {
+  const std::vector<double> weights = all_weights(current_);
+  std::vector<double> products(columns()), coefficients(columns());
+  sum_second_basis(network(weights, current_.transform), current_.state, along, products);
+  const auto size = static_cast<Eigen::Index>(columns());
+  Eigen::Map<Eigen::VectorXd>(coefficients.data(), size) =
+      cview(current_.gram_inverse) * Eigen::Map<const Eigen::VectorXd>(products.data(), size);
+  return coefficients;
+}
+
+// With s the second derivative of the output along x + t * direction, the output weights following: Jᵀr" =
+// Pᵀs. The output weights' own second derivative moves the output within q, which P is orthogonal to. Their
+// first one is -C direction (in q's coordinates), as the linearisation has it, and what the residual adds to
+// the normal equations when the activations move.
+bool SeparablePerceptron::curvature(std::span<const double> direction, std::span<double> result) {
+  const auto p = static_cast<Eigen::Index>(direction.size());
+  const auto n = static_cast<Eigen::Index>(columns());
+  const Eigen::Map<const Eigen::VectorXd> v(direction.data(), p);
+  if (!v.allFinite()) return false;
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(n);  // the activations' derivatives along direction, times e
+  for (std::size_t j = 0; j < shape_.hidden; ++j) {
+    const double weight = current_.output_weights[j];
+    if (weight == 0.0) continue;
+    double sum = direction[shape_.hidden * shape_.inputs + j] * pe_[shape_.hidden * shape_.inputs + j];
+    for (std::size_t k = j * shape_.inputs; k < (j + 1) * shape_.inputs; ++k) sum += direction[k] * pe_[k];
+    moved(static_cast<Eigen::Index>(j)) = sum / weight;
+  }
+  std::vector<double> along(direction.begin(), direction.end());
+  along.resize(direction.size() + columns());
+  const auto transform = cview(current_.transform);
+  Eigen::Map<Eigen::VectorXd>(along.data() + p, n) =
+      transform * (cview(current_.gram_inverse) * (transform.transpose() * moved) - cview(projection_) * v);
+
+  const std::vector<double> removed = (pilot_ ? *pilot_ : *this).second_in_basis(along);
+  std::vector<double> qs(columns());
+  const std::vector<double> weights = all_weights(current_);
+  sum_second_derivative(network(weights, current_.transform), current_.state, along, removed, result, qs);
+  const Eigen::Map<const Eigen::VectorXd> q_second(qs.data(), n);
+  Eigen::Map<Eigen::VectorXd> second(result.data(), p);
+  second -= cview(projection_).transpose() * q_second;
+  return second.allFinite();
+}
+
+}  // namespace proofmass

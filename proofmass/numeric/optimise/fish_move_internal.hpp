@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one artificial fish does: look, swarm, follow, prey (Li, Shao & Qian 2002).
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "proofmass/numeric/optimise/fish_swarm.hpp"
+#include "proofmass/numeric/random.hpp"
+
+namespace proofmass {
+
+// A position and what it is worth.
+struct FishPlace {
+  std::vector<double> position;
+  double value = std::numeric_limits<double>::infinity();
+};
+
+struct Fish {
+  FishPlace place;
+  FishPlace best;  // the best it has seen on its last move, looked at or swum to
+  RandomStream random;
+  std::size_t evaluations = 0;
+};
+
+// One move of a school: where each fish would go from the places that all have now.
+class FishMove {
+ public:
+  // Keeps references. Visual and step are those of this move.
+  FishMove(const FishObjective& objective, const FishSettings& settings, const std::vector<FishPlace>& school,
+           double visual, double step)
+      : objective_(objective), settings_(settings), school_(school), visual_(visual), step_(step) {}
+
+  // Moves fish i of the school to the better of where swarming and following lead.
+  void operator()(Fish& fish, std::size_t i) const;
+  // Evaluates a position and remembers it if it is the best of this move.
+  [[nodiscard]] FishPlace look(Fish& fish, std::vector<double> position) const;
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> in_sight(std::size_t i) const;
+  // Whether more than its share of the school can be seen from a place (Li's n_f / N against delta).
+  [[nodiscard]] bool crowded(const std::vector<double>& place) const;
+  [[nodiscard]] FishPlace swarm(Fish& fish, const std::vector<std::size_t>& seen) const;
+  [[nodiscard]] FishPlace follow(Fish& fish, const std::vector<std::size_t>& seen) const;
+  // A stroke towards a better place that is not crowded; prey otherwise.
+  [[nodiscard]] FishPlace go(Fish& fish, const FishPlace& target) const;
+  // A stroke towards the first better point seen; a random stroke when there is none.
+  [[nodiscard]] FishPlace prey(Fish& fish) const;
+
+  const FishObjective& objective_;
+  const FishSettings& settings_;
+  const std::vector<FishPlace>& school_;
+  double visual_;
+  double step_;
+};
+
+}  // namespace proofmass

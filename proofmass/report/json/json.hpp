@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results as JSON, schema "proofmass.identification/1" of docs/file-formats.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "proofmass/core/identification.hpp"
+
+namespace proofmass {
+
+// Numbers are written so that they read back to the same bits. What is absent is left out, and so are figures
+// that are not finite (the condition number of a singular matrix); null stands only for such a value inside a
+// history curve.
+[[nodiscard]] std::string to_json(const Identification& result);
+
+// The reverse. `source` names the text in errors. Throws a bad-data Error that names
+// the key which is missing, has the wrong type or contradicts another, or the schema that is unknown. Keys
+// that the schema does not know are ignored.
+[[nodiscard]] Identification parse_result(std::string_view text, const std::string& source);
+
+// parse_result of a file; "-" reads standard input.
+[[nodiscard]] Identification read_result(const std::filesystem::path& path);
+
+}  // namespace proofmass

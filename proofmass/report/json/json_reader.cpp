@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "proofmass/core/error.hpp"
+#include "proofmass/files/text_file.hpp"
+#include "proofmass/report/json/json.hpp"
+#include "proofmass/report/json/node_internal.hpp"
+#include "proofmass/report/json/parts_internal.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr std::string_view kSchema = "proofmass.identification/1";
+
+Unit unit_of(const JsonNode& node) {
+  const auto unit = find_unit(node.text());
+  if (!unit) node.fail("a known unit");
+  return *unit;
+}
+
+Coefficient coefficient_of(const JsonNode& node) {
+  const auto term = find_term(node.at("name").text());
+  if (!term) node.at("name").fail("the name of a term");
+  Coefficient coefficient;
+  coefficient.term = *term;
+  coefficient.identified = node.at("identified").flag();
+  if (coefficient.identified) coefficient.value = node.at("value").number();
+  if (const auto left_out = node.find("left_out")) coefficient.left_out = left_out->flag();
+  coefficient.standard_error = optional_number(node, "standard_error");
+  if (const auto ci95 = node.find("ci95")) coefficient.ci95 = interval_of(*ci95);
+  coefficient.t = optional_number(node, "t");
+  coefficient.p = optional_number(node, "p");
+  coefficient.vif = optional_number(node, "vif");
+  if (const auto reason = node.find("reason")) coefficient.reason = reason->text();
+  return coefficient;
+}
+
+std::vector<Coefficient> coefficients_of(const JsonNode& node) {
+  std::vector<Coefficient> coefficients;
+  for (const JsonNode& item : node.items()) {
+    coefficients.push_back(coefficient_of(item));
+    const auto same = [&](const Coefficient& c) { return c.term == coefficients.back().term; };
+    if (std::count_if(coefficients.begin(), coefficients.end(), same) > 1) {
+      item.at("name").fail("each term once");
+    }
+  }
+  return coefficients;
+}
+
+std::vector<double> covariance_of(const JsonNode& node, std::size_t size) {
+  const std::vector<JsonNode> rows = node.items();
+  if (rows.size() != size) node.fail(fmt::format("{} rows, one an identified coefficient", size));
+  std::vector<double> flat;
+  for (const JsonNode& row : rows) {
+    const std::vector<double> values = row.numbers();
+    if (values.size() != size) row.fail(fmt::format("{} numbers", size));
+    flat.insert(flat.end(), values.begin(), values.end());
+  }
+  return flat;
+}
+
+std::optional<Metrics> metrics_of(const JsonNode& parts, const std::string& part) {
+  const auto node = parts.find(part);
+  if (!node) return std::nullopt;
+  return Metrics{.n = node->at("n").count(),
+                 .mae = node->at("mae").number(),
+                 .mse = node->at("mse").number(),
+                 .rmse = node->at("rmse").number(),
+                 .mape_percent = optional_number(*node, "mape_percent"),
+                 .r2 = optional_number(*node, "r2")};
+}
+
+Ending ending_of(const JsonNode& node) {
+  constexpr std::array kStatuses{EndingStatus::direct,         EndingStatus::converged,
+                                 EndingStatus::target_reached, EndingStatus::stalled,
+                                 EndingStatus::early_stopped,  EndingStatus::iteration_limit,
+                                 EndingStatus::failed};
+  const JsonNode status = node.at("status");
+  const std::string word = status.text();
+  const auto* const found =
+      std::find_if(kStatuses.begin(), kStatuses.end(), [&](EndingStatus s) { return to_string(s) == word; });
+  if (found == kStatuses.end()) status.fail("a known ending");
+  return {.status = *found, .reason = node.at("reason").text()};
+}
+
+std::vector<Curve> history_of(const JsonNode& node) {
+  std::vector<Curve> curves;
+  for (const auto& [name, values] : node.members()) {
+    Curve curve{.name = name, .values = {}};
+    for (const JsonNode& value : values.items()) {
+      curve.values.push_back(value.is_null() ? std::numeric_limits<double>::infinity() : value.number());
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+Provenance provenance_of(const JsonNode& node) {
+  Provenance provenance{.version = node.at("version").text(),
+                        .input = node.at("input").text(),
+                        .input_sha256 = node.at("input_sha256").text(),
+                        .options = {}};
+  for (const auto& [key, value] : node.at("options").members()) {
+    provenance.options.emplace_back(key, value.text());
+  }
+  return provenance;
+}
+
+constexpr std::size_t kLongestComplaint = 160;             // characters of the parser's words
+constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of a result
+
+}  // namespace
+
+Identification parse_result(std::string_view text, const std::string& source) {
+  JsonNode::Json json;
+  try {
+    json = JsonNode::Json::parse(text.begin(), text.end());
+  } catch (const JsonNode::Json::exception& error) {
+    // "[json.exception.…] parse error at line 1, column 2: …" with what was read last, however long.
+    const std::string_view message = error.what();
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}: not JSON:{}", source,
+                            excerpt(message.substr(message.find(']') + 1), kLongestComplaint)));
+  }
+  const JsonNode root(json, source);
+  if (root.at("schema").text() != kSchema) root.at("schema").fail(fmt::format("\"{}\"", kSchema));
+  Identification result{.method = root.at("method").text(),
+                        .model = root.at("model").text(),
+                        .seed = root.at("seed").count(),
+                        .output_unit = unit_of(root.at("units").at("output")),
+                        .coefficients = coefficients_of(root.at("coefficients")),
+                        .covariance = {},
+                        .network = std::nullopt,
+                        .train = metrics_of(root.at("metrics"), "train"),
+                        .validation = metrics_of(root.at("metrics"), "validation"),
+                        .test = metrics_of(root.at("metrics"), "test"),
+                        .ending = ending_of(root.at("ending")),
+                        .history = history_of(root.at("history")),
+                        .diagnostics = diagnostics_of(root.at("diagnostics")),
+                        .provenance = provenance_of(root.at("provenance"))};
+  if (const auto network = root.find("network")) result.network = network_of(*network);
+  if (const auto covariance = root.find("covariance")) {
+    const auto identified = std::count_if(result.coefficients.begin(), result.coefficients.end(),
+                                          [](const Coefficient& c) { return c.identified; });
+    result.covariance = covariance_of(*covariance, static_cast<std::size_t>(identified));
+  }
+  return result;
+}
+
+Identification read_result(const std::filesystem::path& path) {
+  return parse_result(read_text_file(path, "a result file that can be read", kMostBytes),
+                      path == "-" ? "standard input" : path.string());
+}
+
+}  // namespace proofmass

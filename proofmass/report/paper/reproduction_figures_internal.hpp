@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "proofmass/report/plot/svg_plot.hpp"
+#include "proofmass/study/paper/reproduction.hpp"
+
+namespace proofmass {
+
+struct Figure {
+  std::string name;  // of its files, without the ending
+  Plot plot;
+};
+
+// Figures 4 to 8, in order.
+[[nodiscard]] std::vector<Figure> figures_of(const Reproduction& made);
+
+// The figure's numbers: series,x,y.
+[[nodiscard]] std::string figure_csv(const Plot& plot);
+
+}  // namespace proofmass

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/report/terminal/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "proofmass/report/number_text.hpp"
+#include "proofmass/report/terminal/terminal_text.hpp"
+#include "proofmass/report/terminal/text_table.hpp"
+
+namespace proofmass {
+namespace {
+
+std::string spread_text(const Spread& spread, int digits = 5) {
+  if (!spread.sd) return significant_text(spread.mean, digits);
+  return fmt::format("{} ± {}", significant_text(spread.mean, digits), significant_text(*spread.sd, 2));
+}
+
+std::string spread_text(const std::optional<Spread>& spread, int digits = 5) {
+  return spread ? spread_text(*spread, digits) : "-";
+}
+
+// One run's counts are whole.
+std::string count_text(const std::optional<Spread>& count) {
+  return count && !count->sd ? fmt::format("{:.0f}", count->mean) : spread_text(count, 4);
+}
+
+std::string optional_text(const std::optional<double>& value) {
+  return value ? significant_text(*value, 3) : "-";
+}
+
+std::string coefficient_text(const Identification& run, Term term) {
+  for (const Coefficient& c : run.coefficients) {
+    if (c.term != term) continue;
+    if (!c.identified) return c.left_out ? "left out" : "lost";
+    if (!c.standard_error) return significant_text(c.value, 7);
+    return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
+                       significant_text(*c.standard_error, 2));
+  }
+  return "-";
+}
+
+void write_coefficients(TerminalText& out, const Comparison& comparison) {
+  std::vector<std::string> header{"term"};
+  std::vector<Term> terms;
+  for (const Contestant& c : comparison.contestants) {
+    header.push_back(c.method);
+    for (const Coefficient& coefficient : c.runs.front().coefficients) terms.push_back(coefficient.term);
+  }
+  std::sort(terms.begin(), terms.end());
+  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  TextTable table(std::move(header));
+  for (const Term term : terms) {
+    std::vector<std::string> row{std::string(name(term))};
+    for (const Contestant& c : comparison.contestants) row.push_back(coefficient_text(c.runs.front(), term));
+    table.add(std::move(row));
+  }
+  const Unit& unit = comparison.contestants.front().runs.front().output_unit;
+  out.heading(
+      fmt::format("Coefficients, in {} per g^order, seed {}", unit.canonical_symbol(), comparison.seed));
+  out.table(table);
+}
+
+void write_metrics(TerminalText& out, const Comparison& comparison) {
+  TextTable table({"method", "part", "MAE", "MSE", "RMSE", "MAPE %", "R²"});
+  for (const Contestant& c : comparison.contestants) {
+    const auto add = [&table, &c](const char* part, const std::optional<MetricSpreads>& m) {
+      if (!m) return;
+      table.add({c.method, part, spread_text(m->mae), spread_text(m->mse), spread_text(m->rmse),
+                 spread_text(m->mape_percent, 4), spread_text(m->r2, 12)});
+    };
+    add("train", c.train);
+    add("test", c.test);
+  }
+  const Unit& unit = comparison.contestants.front().runs.front().output_unit;
+  out.heading(fmt::format("Errors, in {}, {} repeats", unit.symbol, comparison.repeats));
+  out.table(table);
+}
+
+void write_costs(TerminalText& out, const Comparison& comparison) {
+  const Contestant& first = comparison.contestants.front();
+  TextTable table({"method", "iterations", "ratio", "time, s", "time ratio", "test MSE ratio", "ended"},
+                  true);
+  for (const Contestant& c : comparison.contestants) {
+    const CostRatios ratios = ratios_to(first, c);
+    table.add({c.method, count_text(c.iterations), optional_text(ratios.iterations), spread_text(c.time, 3),
+               optional_text(ratios.time), optional_text(ratios.test_mse),
+               std::string(to_string(c.runs.front().ending.status))});
+  }
+  out.heading(fmt::format("Cost, ratios to {}", first.method));
+  out.table(table);
+}
+
+void write_truth(TerminalText& out, const Comparison& comparison) {
+  const bool known = std::any_of(comparison.contestants.begin(), comparison.contestants.end(),
+                                 [](const Contestant& c) { return c.truth.has_value(); });
+  if (!known) return;
+  TextTable table({"method", "rms error / std. error", "rms error / bound", "largest error", "of"}, true);
+  for (const Contestant& c : comparison.contestants) {
+    if (!c.truth) continue;
+    table.add({c.method, optional_text(c.truth->rms_over_standard_error),
+               optional_text(c.truth->rms_over_bound), significant_text(c.truth->largest_error, 3),
+               std::string(name(c.truth->largest_term))});
+  }
+  out.heading("Distance from the truth, over terms and repeats (1 is what noise explains)");
+  out.table(table);
+  for (const std::string& note : comparison.notes) out.warning("note: " + note);
+}
+
+}  // namespace
+
+std::string render_comparison(const Comparison& comparison, const TerminalStyle& style) {
+  TerminalText out(style);
+  write_coefficients(out, comparison);
+  write_metrics(out, comparison);
+  write_costs(out, comparison);
+  write_truth(out, comparison);
+  return out.text();
+}
+
+}  // namespace proofmass

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results as text for people.
+#pragma once
+
+#include <string>
+
+#include "proofmass/core/identification.hpp"
+
+namespace proofmass {
+
+struct TerminalStyle {
+  bool colour = false;  // ANSI escapes for headings and warnings
+};
+
+// Coefficients with their uncertainties, the terms that could not be identified and why, the metrics of each
+// part, how the computation ended, and what must be known to read it. When the output is not an acceleration,
+// the coefficients referred to input follow.
+[[nodiscard]] std::string render_table(const Identification& result, const TerminalStyle& style = {});
+
+}  // namespace proofmass

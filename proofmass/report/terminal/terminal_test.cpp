@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/report/terminal/terminal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "proofmass/report/number_text.hpp"
+#include "proofmass/report/terminal/text_table.hpp"
+
+namespace proofmass {
+namespace {
+
+Coefficient coefficient(Term term, double value, double standard_error) {
+  Coefficient c;
+  c.term = term;
+  c.value = value;
+  c.standard_error = standard_error;
+  c.ci95 = Interval{.low = value - 2 * standard_error, .high = value + 2 * standard_error};
+  c.t = value / standard_error;
+  c.p = 1e-12;
+  return c;
+}
+
+Identification result_in(const char* unit) {
+  Identification r;
+  r.method = "ols";
+  r.model = "quadratic";
+  r.output_unit = *find_unit(unit);
+  r.coefficients = {coefficient(Term::K0, 1.30617e-5, 2.2e-8), coefficient(Term::Ki, 0.999979, 2.1e-9),
+                    coefficient(Term::Kii, 4.817e-5, 3e-10), coefficient(Term::Ko, 6.87e-5, 2e-9)};
+  Coefficient lost;
+  lost.term = Term::Koq;
+  lost.identified = false;
+  lost.reason = "confounded with Kii";
+  r.coefficients.push_back(lost);
+  r.train = Metrics{.n = 70, .mae = 1e-6, .mse = 1e-12, .rmse = 1e-6, .mape_percent = 0.01, .r2 = 1.0};
+  r.ending.reason = "solved directly";
+  r.diagnostics.notes = {"one note"};
+  return r;
+}
+
+std::string line_with(const std::string& text, const std::string& word) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(word) != std::string::npos) return line;
+  }
+  return "";
+}
+
+TEST(Terminal, ReadsCoefficientsInTheUnitsUsersSpeak) {
+  const std::string text = render_table(result_in("g"));
+  EXPECT_NE(line_with(text, "K0").find("13.062 ± 0.022 µg"), std::string::npos) << text;
+  EXPECT_NE(line_with(text, "  Ki ").find("Ki-1 = -21.0000 ± 0.0021 ppm"), std::string::npos) << text;
+  EXPECT_NE(line_with(text, "Ki ").find("0.9999790000"), std::string::npos) << text;
+  EXPECT_NE(line_with(text, "Kii").find("µg/g²"), std::string::npos);
+  EXPECT_NE(line_with(text, "Ko ").find("µrad"), std::string::npos);
+  EXPECT_NE(text.find("Koq not identified: confounded with Kii"), std::string::npos);
+  EXPECT_NE(text.find("Ended: direct"), std::string::npos);
+  EXPECT_NE(text.find("note: one note"), std::string::npos);
+  EXPECT_EQ(text.find("test"), std::string::npos);
+}
+
+TEST(Terminal, AlignsColumnsOverUnitsOfSeveralBytes) {
+  EXPECT_EQ(display_width("13.0 µg/g²"), 10U);
+  TextTable table({"a", "µ"});
+  table.add({"xyz", "1"});
+  table.add({"x", "1234"});
+  EXPECT_EQ(table.lines(), (std::vector<std::string>{"  a       µ", "  xyz     1", "  x    1234"}));
+}
+
+TEST(Terminal, GivesOtherOutputsRawAndReferredToInput) {
+  const std::string text = render_table(result_in("mA"));
+  EXPECT_NE(line_with(text, "Kii").find("mA/g^2"), std::string::npos) << text;
+  const std::size_t second = text.find("Referred to input");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_NE(line_with(text.substr(second), "Kii").find("µg/g²"), std::string::npos) << text;
+  EXPECT_EQ(line_with(text.substr(second), "  Ki "), "") << text;
+}
+
+TEST(Terminal, ColoursOnlyWhenAsked) {
+  EXPECT_EQ(render_table(result_in("g")).find('\x1b'), std::string::npos);
+  EXPECT_NE(render_table(result_in("g"), {.colour = true}).find("\x1b[33m"), std::string::npos);
+}
+
+TEST(NumberText, ShowsTheDigitsThatMeanSomething) {
+  EXPECT_EQ(uncertain_text(0.99997900123, 2.2e-9), "0.9999790012");
+  EXPECT_EQ(uncertain_text(1.5, 100.0), "1.50");
+  EXPECT_EQ(uncertain_text(1.5, std::nullopt), "1.50000");
+  EXPECT_EQ(uncertain_text(0.0, 0.1), "0");
+  EXPECT_EQ(plus_minus_text(13.0617, 0.0224), "13.062 ± 0.022");
+  EXPECT_EQ(plus_minus_text(1234.5, 67.0), "1234 ± 67");
+  EXPECT_EQ(significant_text(120.0, 3), "120");
+}
+
+}  // namespace
+}  // namespace proofmass

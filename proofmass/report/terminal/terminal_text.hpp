@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "proofmass/report/terminal/terminal.hpp"
+#include "proofmass/report/terminal/text_table.hpp"
+
+namespace proofmass {
+
+// Builds the text of a terminal report, coloured where the style allows.
+class TerminalText {
+ public:
+  explicit TerminalText(const TerminalStyle& style) : style_(style) {}
+  void heading(std::string_view text);  // bold, after an empty line unless it comes first
+  void line(std::string_view text);
+  void warning(std::string_view text);  // yellow
+  void table(const TextTable& table);   // its header dimmed
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+ private:
+  void coloured(std::string_view escape, std::string_view text);
+  TerminalStyle style_;
+  std::string text_;
+};
+
+}  // namespace proofmass

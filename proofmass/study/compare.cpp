@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/study/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "proofmass/core/error.hpp"
+
+namespace proofmass {
+namespace {
+
+Contestant contest(const Dataset& record, const Entry& entry, std::size_t repeats, Progress& progress) {
+  Contestant contestant;
+  contestant.method = entry.name;
+  IdentifyOptions options = entry.options;
+  for (std::size_t r = 0; r < repeats; ++r, ++options.seed) {
+    const auto start = std::chrono::steady_clock::now();
+    contestant.runs.push_back(run(record, *entry.method, options, entry.split, progress));
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    contestant.seconds.push_back(time.count());
+  }
+  summarise(contestant);
+  return contestant;
+}
+
+}  // namespace
+
+Comparison compare(const Dataset& record, std::span<const Entry> entries, std::size_t repeats,
+                   Progress& progress) {
+  Comparison comparison;
+  comparison.input = record.source;
+  comparison.repeats = repeats;
+  for (const Entry& entry : entries) {
+    comparison.seed = entry.options.seed;
+    comparison.training_share = entry.split.training_share;
+    try {
+      comparison.contestants.push_back(contest(record, entry, repeats, progress));
+    } catch (const Error& error) {
+      throw Error(error.kind(), fmt::format("{}: {}", entry.name, error.what()));
+    }
+  }
+  return comparison;
+}
+
+}  // namespace proofmass
