@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Measures the hot paths against the libraries an engineer could pick instead, in the same run, on the same data and
-# starts, one thread each, and prints the tables of BENCHMARKS.md; fails when a contestant did not reach what it says.
-# Needs nothing but this checkout on Debian 12; a quarter of an hour, with --quick two minutes, after the build.
-#   --write      figures go to benchmarks/results, the tables of a whole run with nothing forced to BENCHMARKS.md
-#   --target T   forces the kernels of ours to sse4, avx2 or avx3; peers stay at their best
-#   --sections   some of forward, epoch, quality, growth, hidden, least_squares, reading, end_to_end
+# Compares the speed of the hot paths with other libraries (the peers), in the same run, on the same data and starts,
+# one thread each, and prints the tables of BENCHMARKS.md. It fails when the results of a contestant are not what it
+# reports. It needs only this checkout on Debian 12; after the build it takes a quarter of an hour, with --quick two
+# minutes.
+#   --write      writes the figures to benchmarks/results and, without --target, the tables to BENCHMARKS.md
+#   --target T   forces our kernels to sse4, avx2 or avx3; the peers keep their fastest build
+#   --sections   measures some of forward, epoch, quality, growth, hidden, least_squares, reading, end_to_end
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -27,7 +28,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 case $target in '' | sse4 | avx2 | avx3) ;; *) usage >&2 && exit 2 ;; esac
-# Part of the figures must not take the place of all of them.
+# --write needs all sections: a part of the figures must not replace the whole set.
 if "$write" && [ -n "$sections" ]; then usage >&2 && exit 2; fi
 
 {
@@ -41,7 +42,7 @@ if "$write" && [ -n "$sections" ]; then usage >&2 && exit 2; fi
 
 mkdir -p build/bench
 tables=build/bench/tables.md figures=build/bench/figures.json status=0
-# The peers in Python are Debian's, whatever python3 comes first on the PATH.
+# Use Debian's Python and its packages for the peers, even when another python3 comes first on the PATH.
 PYTHONPATH=benchmarks PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 -m bench --build build/release --json "$figures" \
   --tables "$tables" "${options[@]}" || status=$?
 [ "$status" -le 1 ] || exit "$status"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# What the other scripts share; sourced by them.
+# Functions that the other scripts share; they source this file.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 reference_data=${PROOFMASS_REFERENCE_DATA:-$root/../shared/data}
@@ -10,8 +10,8 @@ cd "$root"
 say() { printf '\n== %s\n' "$*"; }
 run() { printf '+ %s\n' "$*" && "$@"; }
 
-# configure PRESET [CMAKE OPTION…]: into build/PRESET. A folder that was configured for another checkout is started
-# afresh; a generator is named only where none has been chosen yet.
+# configure PRESET [CMAKE OPTION…]: configures build/PRESET. A folder that was configured for another checkout is
+# configured afresh. The generator is chosen only when the folder has none yet.
 configure() {
   local preset=$1 cache=build/$1/CMakeCache.txt generator=()
   shift
@@ -24,8 +24,8 @@ configure() {
 
 build() { run cmake --build "build/$1" --parallel "$(nproc)" "${@:2}"; }
 
-# prepare_tables PROGRAM [--write] [SEEDS]: reads the arguments of a script that measures into `write` and `seeds` (kept
-# where not given) and builds benchmarks/PROGRAM.
+# prepare_tables PROGRAM [--write] [SEEDS]: reads the arguments of a measuring script into `write` and `seeds` (`seeds`
+# keeps its value when it is not given) and builds benchmarks/PROGRAM.
 # shellcheck disable=SC2034  # write and seeds are the caller's
 prepare_tables() {
   local program=$1 argument
@@ -48,11 +48,11 @@ prepare_tables() {
   } >&2
 }
 
-# renew_tables FILE TABLES: the text of TABLES takes the place of what stands between the markers of FILE.
+# renew_tables FILE TABLES: replaces the text between the markers of FILE by the text of TABLES.
 renew_tables() {
   sed -i -e "/^<!-- tables -->$/,/^<!-- end of tables -->$/{/^<!-- tables -->$/r $2
     /^<!-- /!d}" "$1"
-  # A blank line sets the last table apart from the marker.
+  # Put a blank line between the last table and the marker.
   sed -i 's/^<!-- end of tables -->$/\n&/' "$1"
   printf 'The tables of %s are renewed.\n' "$1" >&2
 }

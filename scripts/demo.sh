@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Builds Proofmass and identifies the shipped simulated twin by every method and, where the reference data are, a real
-# sensor. Needs nothing but this checkout on Debian 12.
+# Builds Proofmass and identifies the shipped simulated twin by several methods and, if the reference data are
+# present, a real sensor. It needs only this checkout on Debian 12.
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -26,7 +26,7 @@ done
 
 positions=$reference_data/positions/imucal_ferraris_6pos.csv
 if [ -f "$positions" ]; then
-  # axis of the triad that is the input axis, then which reference columns are Ai, Ao, Ap
+  # the axis of the triad that is the input axis, then the reference columns for Ai, Ao, Ap
   for axes in "x gx gy gz" "y gy gz gx" "z gz gx gy"; do
     read -r axis i o p <<<"$axes"
     say "A real MEMS triad in six positions: axis $axis"

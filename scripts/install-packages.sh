@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the packages of a list that are missing; touches nothing when none is. Without the means to install, it says
-# what is missing and leaves it to the build to tell whether that matters.
+# Installs the missing packages of a list; changes nothing when none is missing. If it cannot install, it lists what is
+# missing and exits without an error; the build then fails if a package is needed.
 #   scripts/install-packages.sh [LIST]    packages.txt, beside this script, when not given
 set -euo pipefail
 list=${1:-$(dirname "${BASH_SOURCE[0]}")/packages.txt}
@@ -33,5 +33,5 @@ apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::
 install() { apt install --yes --no-install-recommends "${missing[@]}"; }
 
 echo "Installing: ${missing[*]}"
-# Stale package lists fail the first try, missing ones too; only then are they fetched.
+# The first try fails when apt's package lists are outdated or missing; only then are they updated.
 install 2>/dev/null || { apt update && install; } || echo "Could not install: ${missing[*]}"

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Measures every method on six shipped twins against the efficient bound, the floor and the noise, and prints one Markdown
-# table a twin. Needs nothing but this checkout on Debian 12; twenty seeds take some minutes. With --write the tables take
-# the place of those in docs/method-comparison.md.
+# Compares every method on six shipped twins with the Cramér–Rao bound, the floor and the noise, and prints one Markdown
+# table per twin. It needs only this checkout on Debian 12; twenty seeds take some minutes. With --write the tables
+# replace those in docs/method-comparison.md.
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 seeds=20
 prepare_tables methods "$@"
 
-# All terms, but on the twin with uncertain inputs the paper's: there Koq cannot be told from Kii.
+# All terms are fitted, except on the twin with uncertain inputs: there Koq is aliased with Kii, and the paper's terms
+# are.
 tables=build/methods.md
 while read -r twin model; do
   build/release/bin/methods "data/$twin.toml" "$model" "$seeds"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Whether every number in the result of every method on every shipped twin is the same to the bit as at another
-# revision: REV is built beside this checkout, both programs identify the same records, and the results are compared.
-# New keys are no difference; a number that has changed or is gone is one.
+# Checks that every number in the result of every method on every shipped twin is the same to the bit as at another
+# revision. It builds REV beside this checkout, lets both programs identify the same records, and compares the results.
+# New keys are not a difference; a number that has changed or is missing is one.
 #   scripts/same-bits.sh REV [METHOD…]    all methods when none is given
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -30,7 +30,7 @@ say "Building this checkout"
 before=$there/build/release/bin/proofmass
 after=$root/build/release/bin/proofmass
 
-# identify PROGRAM RESULT RECORD METHOD SEED: what it refuses leaves the exit code as its result.
+# identify PROGRAM RESULT RECORD METHOD SEED: where the program refuses, the result file holds the exit code instead.
 identify() {
   local uncertainties=()
   [[ $4 != tls && $4 != eiv ]] || grep -q sigma_Ai "$3" || uncertainties=(--sigma-input-ug 20)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Runs all tests: the optimised build, the sanitizers, the examples against an installed copy, formatting and static
-# analysis. With --quick only the optimised build and its tests. Needs nothing but this checkout on Debian 12.
+# analysis. With --quick it runs only the tests of the optimised build. It needs only this checkout on Debian 12.
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -15,7 +15,7 @@ case "${1-}" in
 esac
 
 failed=()
-# step TITLE COMMAND…: goes on after a failure, so that one run shows all of them.
+# step TITLE COMMAND…: runs the command and continues after a failure, so that one run shows all failures.
 step() {
   local title=$1 start=$SECONDS
   say "$title"
@@ -34,10 +34,10 @@ test_build() {
 }
 launcher=()
 
-# Left out by the presets of both sanitizers: statistics over many repeats, whose code the law suite and the tests of
-# each method's errors run already, many times slower than in the optimised build, which runs them all. ThreadSanitizer
-# leaves out, too, what runs on one thread, and laws whose code the law of threads runs.
-# ThreadSanitizer of GCC 12 cannot run where the kernel randomises more address bits than it knows.
+# The presets of both sanitizers leave out statistical tests over many repeats: they run many times slower there, and
+# the law suite and the tests of each method's errors already run the same code. The optimised build runs them all.
+# The preset of ThreadSanitizer also leaves out tests that run on one thread, and laws whose code the law of threads
+# runs. GCC 12's ThreadSanitizer fails where the kernel randomises more address bits than it supports.
 test_threads() {
   local launcher=()
   ! setarch --addr-no-randomize true 2>/dev/null || launcher=(setarch --addr-no-randomize)
@@ -57,8 +57,8 @@ test_examples() {
 
 sources() { find proofmass apps benchmarks examples tests -name '*.[ch]pp' -print0; }
 check_format() { sources | xargs -0 clang-format --dry-run -Werror; }
-# Clang does not know every warning that GCC is told to leave out. The largest files
-# come first.
+# Clang does not know every warning option that is given to GCC. The largest files come first, so that no processor is
+# left with a long file at the end.
 check_tidy() {
   configure tidy || return
   find proofmass apps -name '*.cpp' ! -name '*_test.cpp' -printf '%s %p\0' | sort -z -n -r | cut -z -d ' ' -f 2 |
@@ -66,12 +66,12 @@ check_tidy() {
     { grep -v '^[0-9]* warnings\? generated\.$' || true; }
 }
 
-# total ATTRIBUTE: of all ctest runs of this call.
+# total ATTRIBUTE: the sum of the attribute over all ctest runs of this call.
 total() {
   sed -n "s/.*[[:space:]<]$1=\"\([0-9]*\)\".*/\1/p" "${reports[@]}" | awk '{sum += $1} END {print sum + 0}'
 }
 
-# True when a test of this call was skipped for want of a part of the reference data.
+# True when a test of this call was skipped because reference data are missing.
 lacks_reference_data() { grep -qE '(no reference data at|reference data absent:) ' "${reports[@]}"; }
 
 say "Packages"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Which module may include which (docs/design-of-the-code.md), that no folder reaches itself through others, and that
-# public headers name no other library. The graph is that of the product: a test may include what it needs to test with.
+# Checks which module may include which (docs/design-of-the-code.md), that no folders include one another in a circle,
+# and that public headers name no other library. Tests are not checked: a test may include whatever it needs.
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}"
 
-# "pipeline" is what lies at the root: pipeline, split and the overview header.
+# "pipeline" stands for the files at the root: pipeline, split and the overview header.
 declare -A allowed=(
   [core]="core"
   [files]="core files"
@@ -21,7 +21,7 @@ declare -A allowed=(
 bad=0
 complain() { printf '%s\n' "$*" && bad=1; }
 
-# own_includes FILE: the path of each include in quotes, and of those in angle brackets that are ours.
+# own_includes FILE: prints the path of each include in quotes, and of the project's headers in angle brackets.
 own_includes() {
   sed -nE -e 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*"([^"]*)".*/\1/p' \
     -e 's/^[[:space:]]*#[[:space:]]*include[[:space:]]*<((proofmass|support)\/[^>]*)>.*/\1/p' "$1"
@@ -52,7 +52,7 @@ for folder in proofmass/*/; do
   [ -n "${allowed[$module]-}" ] || { complain "$folder: a module that the include graph does not know" && continue; }
   while read -r file; do check_file "$module" "$file"; done < <(sources "$folder")
 done
-# The overview shows users all that they need; nothing inside goes through it.
+# proofmass.hpp is for users; no file of the library may include it.
 while read -r file; do
   [ "$file" = proofmass/proofmass.hpp ] || check_file pipeline "$file"
 done < <(sources proofmass -maxdepth 1)
@@ -60,7 +60,7 @@ if found=$(grep -rlE '#[[:space:]]*include[[:space:]]*["<]proofmass/proofmass\.h
   complain "includes the overview header, which is for programs: $found"
 fi
 
-# Folders are sorted so that each includes those before it alone, which no circle allows.
+# Sort the folders so that each includes only folders before it. tsort fails when there is a circle.
 if ! circle=$(sort -u "$edges" | tsort 2>&1 >/dev/null); then
   complain "these folders include one another in a circle: $(sed -n 's/^tsort: \(proofmass.*\)/\1/p' <<<"$circle" |
     paste -sd ' ')"

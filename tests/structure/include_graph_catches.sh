@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The include graph's own test: what breaks the rules is found, wherever and however it is written.
+# Tests include_graph.sh: it must find every kind of violation, and pass what is allowed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 bad=0
 
-# try WANTED FILE LINE…: the check of a tree of this one file with these lines; WANTED is passes or fails.
+# try WANTED FILE LINE…: checks a tree with this one file, which holds these lines; WANTED is passes or fails.
 try() {
   local wanted=$1 file=$tree/$2 found=passes
   rm -rf "${tree:?}"/*
@@ -23,7 +23,7 @@ try() {
   [ "$found" = "$wanted" ] || { printf '%s with %s %s\n' "$2" "${*:3}" "$found" && bad=1; }
 }
 
-# also FILE LINE…: one more file for the next try.
+# also FILE LINE…: adds a file to the tree of the next try.
 declare -a more=()
 also() { more+=("$1" "$2"); }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Every source file names its licence, has a snake_case name and, when it is a header, says #pragma once. Every source
-# belongs to a header beside it, and no folder is a hall: it holds 16 units at most (header, source and test count once).
+# Checks that every source file names its licence and has a snake_case name, that headers have #pragma once, that every
+# source has a header beside it, and that a folder holds at most 16 units (header, source and test count as one).
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/../..}"
 
@@ -18,7 +18,8 @@ while read -r file; do
 done < <(find proofmass apps benchmarks examples tests scripts cmake .ci -type f \
   \( -name '*.[ch]pp' -o -name '*.sh' -o -name '*.cmake' -o -name CMakeLists.txt -o -path '.ci/*' \))
 
-# has_header FILE: a header of its own name, or of one that its name goes on from; for a verb's, the folder's.
+# has_header FILE: true when there is a header of its name, of a shorter name that its name extends (term.hpp for
+# term_names.cpp), or of the folder's name (verbs).
 has_header() {
   local folder=${1%/*} stem
   stem=$(basename "$1" .cpp)
