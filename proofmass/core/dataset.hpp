@@ -31,7 +31,7 @@ struct Dataset {
   std::string source;         // file name, or what made the record
   std::string source_sha256;  // of the file's bytes; empty when not read from a file
 
-  // A record of inputs alone, as for prediction, counts them.
+  // Rows of the record. A record with inputs only (for prediction) counts the input rows.
   [[nodiscard]] std::size_t rows() const noexcept {
     return output.empty() ? acceleration[0].size() : output.size();
   }
@@ -43,9 +43,9 @@ struct Dataset {
   }
   // The axes the record has, in the order Ai, Ao, Ap.
   [[nodiscard]] std::vector<Axis> axes() const;
-  // Specific force of one row; an axis that the record lacks counts as zero.
+  // Specific force of one row. An axis that the record lacks counts as zero.
   [[nodiscard]] Acceleration at(std::size_t row) const noexcept;
-  // The rows named, in the order named.
+  // The rows with these numbers, in this order.
   [[nodiscard]] Dataset select(std::span<const std::size_t> rows) const;
 };
 

@@ -19,7 +19,7 @@ enum class EndingStatus {
 
 struct Ending {
   EndingStatus status = EndingStatus::direct;
-  std::string reason;  // one sentence with the figures that decided it
+  std::string reason;  // one sentence, with the figures that the decision used
 };
 
 [[nodiscard]] constexpr std::string_view to_string(EndingStatus status) noexcept {

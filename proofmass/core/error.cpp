@@ -10,7 +10,7 @@
 namespace proofmass {
 namespace {
 
-// The next character of `text` as it may be shown: itself when printable, otherwise its bytes as \xNN.
+// The next character of `text`, ready for display: itself when printable, otherwise its bytes as \xNN.
 std::string printable(std::string_view character) {
   const auto first = static_cast<unsigned char>(character.front());
   const bool control = character.size() == 1 && (first < 0x20 || first == 0x7F);

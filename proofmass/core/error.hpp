@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one family of errors that the library throws. Numerical failure is not among them: it is data, see
-// Ending.
+// The only family of errors that the library throws. Failure of a computation (no convergence) is not an
+// error: the result reports it, see Ending.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 namespace proofmass {
 
 enum class ErrorKind {
-  internal,     // a defect of ours
-  usage,        // an option or argument that makes no sense
+  internal,     // a defect of the library
+  usage,        // an invalid option or argument
   bad_data,     // a file or record that cannot be used
-  refused,      // the data cannot identify what was asked
+  refused,      // the data cannot identify what was asked for
   interrupted,  // the caller asked to stop
 };
 
@@ -27,9 +27,9 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-// Where in a file something was found. A row of 0 means the file as a whole; rows count lines from 1 as an
-// editor does, header and comments included. An empty column means the whole row. What a file of settings
-// calls a column is a key: `what` says the word.
+// The place of a fault in a file. Row 0 means the whole file. Rows count lines from 1 as an editor does,
+// including header and comments. An empty column means the whole row. In a settings file the "column" is a
+// key; `what` holds the word to print for it.
 struct Place {
   std::string file;
   std::size_t row = 0;
@@ -41,13 +41,13 @@ struct Place {
 // its unprintable bytes are shown escaped. An empty `found` is left out.
 [[nodiscard]] Error bad_data(const Place& place, std::string_view found, std::string_view expected);
 
-// The text as an error may quote it: cut after `most` characters, unprintable bytes escaped.
+// The text for use in an error message: cut after `most` characters, unprintable bytes escaped.
 [[nodiscard]] std::string excerpt(std::string_view text, std::size_t most = 60);
 
 [[nodiscard]] Error usage_error(const std::string& message);
 [[nodiscard]] Error refusal(const std::string& message);
 
-// The process exit code of the contract: 1 internal, 2 usage, 3 bad data, 4 refused, 130 interrupted.
+// The process exit code: 1 internal, 2 usage, 3 bad data, 4 refused, 130 interrupted.
 [[nodiscard]] int exit_code(ErrorKind kind) noexcept;
 
 }  // namespace proofmass

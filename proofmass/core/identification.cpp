@@ -28,13 +28,13 @@ class Covariance {
   TermList terms_;
 };
 
-// The number of standard errors that half of a coefficient's interval spans; absent without an interval.
+// Half the width of a coefficient's interval over its standard error. Empty when there is no interval.
 std::optional<double> coverage_factor(const Coefficient& c) {
   if (!c.ci95 || !c.standard_error || !(*c.standard_error > 0.0)) return std::nullopt;
   return 0.5 * (c.ci95->high - c.ci95->low) / *c.standard_error;
 }
 
-// Standard error of x/Ki to first order; rounding may turn a vanishing variance negative.
+// Standard error of x/Ki to first order. Rounding can make a variance near zero negative; it counts as zero.
 double ratio_error(const Covariance& covariance, Term term, double ratio, double ki) {
   const double variance = covariance.of(term, term) - 2.0 * ratio * covariance.of(term, Term::Ki) +
                           ratio * ratio * covariance.of(Term::Ki, Term::Ki);
@@ -79,7 +79,7 @@ std::vector<Coefficient> referred_to_input(const Identification& result) {
   const double ki = result.static_model().coefficient(Term::Ki);
   if (ki == 0.0) return {};
   for (const Coefficient& c : result.coefficients) {
-    // First-order propagation through 1 / Ki holds only where Ki stands well clear of zero.
+    // First-order propagation through 1 / Ki is valid only when Ki is many standard errors away from zero.
     constexpr double kClear = 5.0;
     if (c.term == Term::Ki && c.standard_error && std::abs(ki) < kClear * *c.standard_error) return {};
   }

@@ -19,7 +19,7 @@ Coefficient estimate(Term term, double value, double error) {
   return c;
 }
 
-// Three identified coefficients of an output in mA, correlated, and one that is not identified between them.
+// Three correlated identified coefficients of an output in mA, and an unidentified one between them.
 Identification in_milliamperes() {
   Identification result;
   result.coefficients = {estimate(Term::K0, 0.004, 0.01), estimate(Term::Ki, -1.25, 0.02),
@@ -38,7 +38,7 @@ TEST(Identification, StaticModelHoldsWhatWasIdentified) {
   EXPECT_EQ(model.coefficients, (std::vector{0.004, -1.25, 0.5}));
 }
 
-// Propagates the covariance through x/Ki with central differences: an independent way to the same figure.
+// Propagates the covariance through x/Ki by central differences, as an independent check.
 double propagated_error(const Identification& result, std::size_t index) {
   constexpr double step = 1e-6;
   const auto values = result.static_model().coefficients;

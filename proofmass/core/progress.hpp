@@ -6,8 +6,8 @@
 
 namespace proofmass {
 
-// What a long computation tells its caller, and how the caller stops it. Calls come from one thread at a
-// time.
+// Through this interface a long computation reports its progress, and the caller stops it. Only one thread
+// calls at a time.
 class Progress {
  public:
   Progress() = default;
@@ -16,12 +16,11 @@ class Progress {
   virtual ~Progress() = default;
   // `done` of `total` units of work of `stage` are complete.
   virtual void update(std::string_view stage, std::size_t done, std::size_t total) = 0;
-  // True when the work should stop; the computation then throws an Error of kind interrupted. Any thread may
-  // ask.
+  // True when the computation should stop; it then throws an Error of kind interrupted. Any thread may ask.
   [[nodiscard]] virtual bool cancelled() const noexcept = 0;
 };
 
-// Reports to nobody and never stops.
+// Reports nothing and never stops.
 class SilentProgress final : public Progress {
  public:
   void update(std::string_view, std::size_t, std::size_t) override {}

@@ -14,7 +14,7 @@ struct StaticModel {
   std::vector<double> coefficients;  // one a term
 
   [[nodiscard]] double output(const Acceleration& a) const noexcept;
-  // The coefficient of a term; 0 when the model lacks it.
+  // The coefficient of a term; 0 when the model does not contain the term.
   [[nodiscard]] double coefficient(Term term) const noexcept;
 };
 

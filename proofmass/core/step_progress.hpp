@@ -10,22 +10,22 @@
 
 namespace proofmass {
 
-// Counts the steps of a longer work under one name; what is reported inside a step is kept back. Steps may
-// end on any thread.
+// Counts the steps of a longer computation under one name. Progress reported inside a step is not passed on.
+// Steps may end on any thread.
 class StepProgress final : public Progress {
  public:
-  // Keeps the name, which must outlive it.
+  // Keeps a reference to the name, which must outlive this object.
   StepProgress(Progress& outer, std::string_view stage, std::size_t total)
       : outer_(outer), stage_(stage), total_(total) {
     outer_.update(stage_, 0, total_);
   }
   void update(std::string_view, std::size_t, std::size_t) override {}
   [[nodiscard]] bool cancelled() const noexcept override { return outer_.cancelled(); }
-  // Throws an Error of kind interrupted when the work should stop.
+  // Throws an Error of kind interrupted when the computation should stop.
   void require_going() const {
     if (cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
   }
-  // One step has ended. Throws as require_going.
+  // Reports the end of one step. Throws as require_going.
   void step() {
     require_going();
     const std::lock_guard lock(reporting_);

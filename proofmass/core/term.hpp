@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The 21 terms of the static model equation (IEEE Std 836 / IEEE Std 1293 family), in the order that code,
-// files and reports share.
+// The 21 terms of the static model equation (IEEE Std 836, IEEE Std 1293), in the order used in code, files
+// and reports.
 #pragma once
 
 #include <array>
@@ -73,7 +73,7 @@ struct TermInfo {
 using TermList = std::vector<Term>;  // canonical order, no repeats
 
 // A preset (linear, quadratic, paper, full) or a comma-separated list of names. Throws a usage Error that
-// names what is unknown or repeated.
+// states the name that is unknown or repeated.
 [[nodiscard]] TermList parse_terms(std::string_view text);
 [[nodiscard]] std::string join_names(const TermList& terms);
 

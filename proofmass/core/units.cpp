@@ -42,7 +42,7 @@ constexpr std::array kUnits{
     KnownUnit{Quantity::temperature, "K", 1.0},
 };
 
-// Other spellings of whole symbols, after the characters have been replaced.
+// Alternative spellings of whole symbols, applied after the characters below have been replaced.
 constexpr std::array kAliases{
     std::pair<std::string_view, std::string_view>{"m/s2", "m/s^2"},
     std::pair<std::string_view, std::string_view>{"mm/s2", "mm/s^2"},
@@ -53,7 +53,7 @@ constexpr std::array kAliases{
     std::pair<std::string_view, std::string_view>{"C", "degC"},
 };
 
-// Characters beyond ASCII that unit symbols are written with.
+// Non-ASCII characters in unit symbols, and their replacements.
 constexpr std::array kCharacters{
     std::pair<std::string_view, std::string_view>{"\u00B5", "u"},    // micro sign
     std::pair<std::string_view, std::string_view>{"\u03BC", "u"},    // Greek small letter mu

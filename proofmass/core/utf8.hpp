@@ -6,8 +6,9 @@
 
 namespace proofmass {
 
-// Bytes of the UTF-8 sequence that `text` begins with: 1 to 4; 0 when it is empty or begins with none
-// (Unicode 15, Table 3-7: overlong forms, surrogates and values above U+10FFFF are not sequences).
+// Number of bytes of the UTF-8 sequence at the beginning of `text`: 1 to 4, or 0 when the text is empty or
+// the bytes are not a sequence (Unicode 15, Table 3-7, which excludes overlong forms, surrogates and values
+// above U+10FFFF).
 [[nodiscard]] std::size_t utf8_length(std::string_view text) noexcept;
 
 [[nodiscard]] bool is_utf8(std::string_view text) noexcept;

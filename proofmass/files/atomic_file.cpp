@@ -14,12 +14,12 @@ namespace {
 namespace fs = std::filesystem;
 
 Error write_error(const fs::path& path, int os_error) {
-  // Streams do not promise to leave the reason in errno.
+  // The C++ standard does not guarantee that streams set errno.
   const std::string reason = os_error == 0 ? "output error" : std::generic_category().message(os_error);
   return usage_error("cannot write '" + path.string() + "': " + reason);
 }
 
-// Creates a file that did not exist and returns its name. Permissions are the user's default.
+// Creates a new file and returns its name. Permissions are the user's default.
 fs::path create_beside(const fs::path& target, const fs::path& path) {
   constexpr int kAttempts = 1000;
   for (int number = 1; number <= kAttempts; ++number) {

@@ -8,10 +8,10 @@
 namespace proofmass {
 
 // A file that appears under its name only when it is complete. Writing goes to a temporary file beside it,
-// named "<file>.<number>.tmp"; commit() renames it into place, and without commit() the destructor removes
-// it, so that a failure or an interruption leaves nothing that looks like a result, and a file that was there
-// before stays. A symbolic link keeps pointing where it did. What is not a regular file (/dev/null, a pipe)
-// is written directly. Errors are usage Errors that name the file and the operating system's reason.
+// named "<file>.<number>.tmp"; commit() renames it. Without commit() the destructor removes it. So a failure
+// or an interruption leaves no partial result, and a file that existed before is unchanged. A symbolic link
+// keeps its target. A target that is not a regular file (/dev/null, a pipe) is written directly. Errors are
+// usage Errors with the file's name and the operating system's reason.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& path);
@@ -20,14 +20,15 @@ class AtomicFile {
   ~AtomicFile();
 
   [[nodiscard]] std::ostream& stream() noexcept { return stream_; }
-  // Everything has been written: makes sure that it is on its way to the disk. Nothing is visible yet.
+  // Call when everything has been written: closes the file and reports a failure to write. The file is not
+  // visible yet.
   void close();
-  // Closes if need be and makes the file visible. Call once.
+  // Closes the file if necessary and makes it visible. Call once.
   void commit();
 
  private:
   [[nodiscard]] bool direct() const noexcept { return temporary_.empty(); }
-  std::filesystem::path path_;       // as the caller names it, for messages
+  std::filesystem::path path_;       // as the caller wrote it, for messages
   std::filesystem::path target_;     // symbolic links resolved
   std::filesystem::path temporary_;  // empty when written directly or committed
   std::ofstream stream_;

@@ -7,7 +7,7 @@
 
 namespace proofmass {
 
-// SHA-256 (FIPS 180-4) of bytes that arrive in pieces.
+// SHA-256 (FIPS 180-4) of bytes that are supplied in pieces.
 class Sha256 {
  public:
   Sha256();

@@ -8,9 +8,9 @@
 
 namespace proofmass {
 
-// The bytes of a small text file; "-" reads standard input. Throws a bad-data Error that expects `what` ("a
-// result file") when it cannot be read, is a directory, or holds more than `most` bytes (endless input ends
-// there).
+// Reads all bytes of a small text file; "-" reads standard input. Throws a bad-data Error when the file
+// cannot be read, is a directory, or holds more than `most` bytes (which also ends endless input). The Error
+// states what was expected: `what`, such as "a result file".
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path, std::string_view what,
                                          std::size_t most);
 

@@ -12,7 +12,7 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{16} << 20U;  // of a plan
+constexpr std::size_t kMostBytes = std::size_t{16} << 20U;  // size limit of a plan
 
 std::string as_text(const toml::node& node) {
   std::ostringstream text;
@@ -29,7 +29,7 @@ std::optional<double> finite_number(const toml::node& node) {
 }  // namespace
 
 struct TomlTable::State {
-  std::shared_ptr<const toml::table> root;  // owns what `here` points into
+  std::shared_ptr<const toml::table> root;  // owns the table that `here` points to
   const toml::table* here = nullptr;
   std::string file;
   std::string prefix;  // "noise." for the keys of [noise]

@@ -13,14 +13,14 @@
 
 namespace proofmass {
 
-// A table of a TOML file, read strictly: every getter returns nothing when the key is absent and throws a
-// bad-data Error naming file, line and key when its value is of another type; finish() throws on keys that
-// nobody asked for.
+// A table of a TOML file, read strictly. Every getter returns an empty value when the key is absent, and
+// throws a bad-data Error with file, line and key when the value has another type. finish() throws when the
+// table has keys that no getter was called for.
 class TomlTable {
  public:
   // The root table. Throws a bad-data Error when the file cannot be read or is not TOML.
   [[nodiscard]] static TomlTable read(const std::filesystem::path& path);
-  // The same from text; `name` stands for the file in messages.
+  // The same from text; `name` is the file name in messages.
   [[nodiscard]] static TomlTable parse(std::string_view text, const std::string& name);
 
   [[nodiscard]] std::optional<double> number(
@@ -34,7 +34,7 @@ class TomlTable {
 
   [[nodiscard]] std::vector<std::string> keys() const;  // in alphabetical order
 
-  // What is wrong with the value of a key, or with its absence, or (empty key) with the table itself.
+  // An Error about the value of a key, about its absence or, with an empty key, about the table itself.
   [[nodiscard]] Error error(std::string_view key, std::string_view expected) const;
 
   // Throws when the table has a key that no getter was called for.

@@ -58,7 +58,7 @@ double draw_noise(const OutputNoise& noise, double size, std::size_t row, std::u
   return value;
 }
 
-// Standard deviation over scale of the noise draws.
+// Standard deviation of the noise draws over their scale.
 double deviation_factor(const OutputNoise& noise) {
   if (!noise.student_dof) return 1.0;
   const double dof = *noise.student_dof;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated test records: a known truth, measured by a stand with known faults.
+// Simulated test records: an accelerometer with known coefficients on a stand with known noise.
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ struct SphereInputs {
   double maximum = 20.0;  // g
 };
 
-// How the instrument is fixed to a centrifuge arm or dividing head. Unit vectors in instrument axes (IA, OA,
+// Mounting of the instrument on a centrifuge arm or dividing head. Unit vectors in instrument axes (IA, OA,
 // PA).
 struct Mount {
   std::string name;
   std::array<double, 3> radial{};  // direction of the centripetal specific force: towards the spindle
-  std::optional<std::array<double, 3>> up{};  // direction of gravity's reaction; none: gravity is left out
+  std::optional<std::array<double, 3>> up{};  // direction of gravity's reaction; empty: no gravity
 };
 
-// Every mount at every level: A = level * radial + gravity * up; levels change fastest.
+// Every mount at every level: A = level * radial + gravity * up. The level changes fastest.
 struct MountedInputs {
   std::vector<Mount> mounts;
   std::vector<double> levels;  // g
@@ -60,40 +60,40 @@ struct UnmodelledStructure {
   [[nodiscard]] double output(const Acceleration& a) const noexcept;
 };
 
-// What to simulate. Every field may be changed after reading it from a file.
+// A plan of what to simulate. Every field may be changed after reading it from a file.
 struct SimulationPlan {
-  StaticModel model;                     // the truth, in g per g^order: indicated acceleration
-  std::optional<SphereInputs> sphere;    // one of sphere
-  std::optional<MountedInputs> mounted;  // and mounted is there
+  StaticModel model;                     // true coefficients, in g per g^order, of indicated acceleration
+  std::optional<SphereInputs> sphere;    // exactly one of sphere
+  std::optional<MountedInputs> mounted;  // and mounted is set
   UnmodelledStructure unmodelled;        // added to the model
   OutputNoise noise;
   std::array<double, 3> input_sigma{};  // g; recorded inputs are the true ones plus normal noise of this size
   Unit output_unit;                     // of the record
   double output_per_g = 1.0;  // scale factor, output_unit.canonical_symbol() per g of indicated acceleration
   Unit acceleration_unit;     // of the record
-  bool record_sigma = false;  // whether the record gets sigma columns, for what has noise
+  bool record_sigma = false;  // true: the record has sigma columns for the quantities with noise
   std::size_t rows = 0;
   std::uint64_t seed = 1;
   std::string source;  // file name of the plan
-  // The truth in the record's canonical output unit per g^order: what identification should find.
+  // True coefficients in the record's canonical output unit per g^order: what identification should find.
   [[nodiscard]] StaticModel truth() const;
 };
 
-// E = output_per_g * (model(A) + unmodelled(A) + noise), one draw a row. Points of mounted inputs are
-// repeated in order to fill the rows. Each purpose and row has a random stream of its own: the same plan,
-// rows and seed give the same bits; a change of noise leaves the inputs, and a change of rows the rows in
-// common, as they were. Acceleration comes out as measured, with input noise. Throws a usage Error on no
-// rows, or on a plan whose inputs are missing or empty, or with sigma recorded for Student noise that has no
-// variance.
+// E = output_per_g * (model(A) + unmodelled(A) + noise), with one noise draw per row. The points of mounted
+// inputs are repeated until there are enough rows. Each purpose and row has its own random stream. The same
+// plan, rows and seed therefore give the same bits; a change of noise does not change the inputs, and a
+// change of the number of rows does not change the common rows. The accelerations returned are the measured
+// ones, with input noise. Throws a usage Error when there are no rows, when the inputs of the plan are
+// missing or empty, or when sigma is to be recorded for Student noise that has no variance.
 [[nodiscard]] Dataset simulate(const SimulationPlan& plan, std::size_t rows, std::uint64_t seed);
 [[nodiscard]] Dataset simulate(const SimulationPlan& plan);
 
-// What a simulated record is, a line each, for the comments of its file.
+// Describes a simulated record, one line per fact, for the comments of its file.
 [[nodiscard]] std::vector<std::string> describe(const SimulationPlan& plan, std::size_t rows,
                                                 std::uint64_t seed);
 
-// The plan that the comments at the head of a record's file, as describe() makes them, say it was simulated
-// from; empty where they do not.
+// Name of the plan that the comments at the head of a record's file (written by describe()) state. Empty when
+// they state none.
 [[nodiscard]] std::string plan_named_in(std::istream& record);
 
 }  // namespace proofmass

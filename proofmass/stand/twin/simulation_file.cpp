@@ -69,7 +69,7 @@ SphereInputs read_sphere(const TomlTable& input) {
   return sphere;
 }
 
-// A direction of any length above zero, made a unit vector.
+// A direction of any length above zero, normalised to a unit vector.
 std::optional<std::array<double, 3>> read_direction(const TomlTable& mount, std::string_view key) {
   const auto values = mount.numbers(key);
   if (!values) return std::nullopt;

@@ -7,11 +7,12 @@
 
 namespace proofmass {
 
-// Reads a simulation plan in the format of docs/simulation.md. Strict: unknown keys and terms, wrong types,
-// values out of range and an incomplete plan throw a bad-data Error that names file, line and key.
+// Reads a simulation plan in the format of docs/simulation.md. Unknown keys and terms, wrong types, values
+// out of range and an incomplete plan throw a bad-data Error with file, line and key.
 [[nodiscard]] SimulationPlan read_simulation(const std::filesystem::path& path);
 
-// data/twin-300ug.toml, compiled into the library: the paper's accelerometer with the paper's noise.
+// The plan of data/twin-300ug.toml, compiled into the library: the paper's accelerometer with the paper's
+// noise.
 [[nodiscard]] SimulationPlan paper_twin();
 
 }  // namespace proofmass

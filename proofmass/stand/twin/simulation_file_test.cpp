@@ -17,7 +17,7 @@ namespace {
 
 const std::filesystem::path kData = std::filesystem::path(PROOFMASS_SOURCE_DIR) / "data";
 
-// A plan's text as a file of its own.
+// Writes a plan's text to a file.
 class PlanFile {
  public:
   explicit PlanFile(const std::string& text)
@@ -71,7 +71,7 @@ TEST(SimulationFile, TwentyFourMountsAreRightAngledAndDistinct) {
   }
 }
 
-// One axis is always without load, so Ai*Ao*Ap is zero everywhere; all else can be told apart.
+// One axis always has no load, so Ai*Ao*Ap is zero in every row. All other terms can be identified.
 TEST(SimulationFile, TwentyFourMountsReachTwentyTerms) {
   const Dataset record = simulate(read_simulation(kData / "mounts-24.toml"));
   Matrix design(record.rows(), kTermCount);
@@ -84,7 +84,7 @@ TEST(SimulationFile, TwentyFourMountsReachTwentyTerms) {
   const RankAnalysis analysis = analyse_rank(design);
   EXPECT_EQ(analysis.rank, 20U);
   ASSERT_EQ(analysis.independent.size(), 20U);
-  EXPECT_EQ(analysis.independent.back(), static_cast<std::size_t>(Term::Kpii));  // the last but Kiop
+  EXPECT_EQ(analysis.independent.back(), static_cast<std::size_t>(Term::Kpii));  // all except Kiop
 }
 
 TEST(SimulationFile, ReadsEveryKey) {

@@ -89,7 +89,7 @@ TEST(Simulation, WithoutNoiseTheOutputIsTheModel) {
   EXPECT_TRUE(record.mount.empty());
 }
 
-// Archimedes: each coordinate of a uniformly random direction is uniform on [-1, 1].
+// Archimedes: each coordinate of a uniformly random direction on the sphere is uniform on [-1, 1].
 TEST(Simulation, DirectionsAndMagnitudesAreUniform) {
   const Dataset record = simulate(sphere_plan(), kRows, 5);
   std::array<double, 9> moments{};
@@ -130,7 +130,7 @@ TEST(Simulation, WhiteNoiseHasItsDeviation) {
   EXPECT_TRUE(record.acceleration_sigma[0].empty());
 }
 
-// Normalised by the stated sigma(A) the noise is standard both below and above 10 g.
+// Divided by the stated sigma(A), the noise has unit standard deviation below and above 10 g.
 TEST(Simulation, HeteroscedasticNoiseGrowsWithAcceleration) {
   SimulationPlan plan = sphere_plan();
   plan.noise = {.sigma = 1e-5, .sigma_per_g = 1e-5};
