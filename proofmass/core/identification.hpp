@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What identification of a static model yields, whatever the method.
+// The result of the identification of a static model; the same form for every method.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ struct Metrics {
   std::optional<double> r2;            // absent when the measured output does not vary
 };
 
-// A named sequence, one value an iteration: a training curve, the swarm's convergence.
+// A named sequence with one value per iteration, such as a training curve or the convergence of the swarm.
 struct Curve {
   std::string name;
   std::vector<double> values;
@@ -57,19 +57,19 @@ struct TrainedNetwork {
   std::vector<double> weights;
   std::vector<Interval> input_range;  // learned from the training rows, one an input, in g
   Interval output_range;              // in the output's canonical unit
-  StaticModel skip{};                 // added to what the network puts out; without terms in a plain network
+  StaticModel skip{};                 // added to the network's output; has no terms in a plain network
 };
 
-// A row of the training data that a robust method finds far from the rest.
+// A row of the training data that a robust method suspects to be an outlier.
 struct SuspectRow {
   std::size_t row = 0;              // among the training rows, from 1
   std::optional<std::size_t> line;  // of the file, when the record came from one
   double residual = 0.0;            // measured minus fitted, in the output's canonical unit
   double scaled_residual = 0.0;     // over the robust scale
-  double weight = 0.0;              // that the row had in the fit; 1 is full
+  double weight = 0.0;              // of the row in the fit; 1 is full weight
 };
 
-// What one number of hidden units reached on rows that it was not trained on.
+// Errors of networks with one number of hidden units, on rows that they were not trained on.
 struct HiddenTrial {
   std::size_t hidden = 0;
   std::size_t weights = 0;              // of a network of that size
@@ -80,7 +80,7 @@ struct HiddenTrial {
   bool chosen = false;
 };
 
-// Figures that say how far the coefficients can be trusted. Absent where a method has no such figure.
+// Figures for judging the coefficients. Absent where a method has no such figure.
 struct Diagnostics {
   std::optional<double> residual_sd;  // sqrt(RSS / dof), in the output's canonical unit
   std::optional<std::size_t> dof;     // n - number of parameters
@@ -101,13 +101,13 @@ struct Diagnostics {
   std::vector<HiddenTrial> hidden_search;        // of the sizes tried, ascending; when one was asked for
   std::optional<double> robust_scale;            // of the residuals: the standard deviation, were they normal
   std::vector<SuspectRow> suspect_rows;          // largest residual first; robust methods only
-  // How far a search without derivatives stays from the least-squares solution that it seeks:
-  std::optional<double> optimum_rmse_ratio;  // its root mean square residual over the least there is
+  // Distance of a derivative-free search from the least-squares solution that it searches for:
+  std::optional<double> optimum_rmse_ratio;  // its root mean square residual over the least possible one
   std::optional<double> optimum_distance;    // largest coefficient difference, in its standard errors
   std::vector<std::string> notes;            // what the user must know to read the result
 };
 
-// Where a result came from, enough to make it again.
+// Origin of a result, with everything needed to repeat it.
 struct Provenance {
   std::string version;
   std::string input;  // file name
@@ -123,7 +123,7 @@ struct Identification {
   std::vector<Coefficient> coefficients;  // one a term asked for, canonical order
   std::vector<double> covariance;         // of the identified coefficients, row-major; empty when unknown
   std::optional<TrainedNetwork>
-      network;  // what predicts, for network methods; otherwise the static model does
+      network;  // used for prediction by network methods; the others predict by the static model
   std::optional<Metrics> train, validation, test;
   Ending ending;
   std::vector<Curve> history;
