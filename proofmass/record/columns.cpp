@@ -9,7 +9,7 @@ namespace {
 constexpr std::array<std::string_view, kColumns.size()> kNames{
     "Ai", "Ao", "Ap", "E", "sigma_E", "sigma_Ai", "sigma_Ao", "sigma_Ap", "mount", "T", "t"};
 
-// One place for both constnesses: `Record` is Dataset or const Dataset.
+// Works for const and non-const data sets: `Record` is Dataset or const Dataset.
 template <typename Record>
 auto& numbers_of(Record& record, Column column) {
   switch (column) {

@@ -22,14 +22,14 @@ inline constexpr std::array kColumns{Column::Ai,      Column::Ao,       Column::
 [[nodiscard]] std::string_view column_name(Column column) noexcept;
 [[nodiscard]] std::optional<Column> find_column(std::string_view name) noexcept;
 
-// The column whose standard uncertainty this one holds: E for sigma_E.
+// The column whose standard uncertainty this column holds: E for sigma_E.
 [[nodiscard]] std::optional<Column> measured_by(Column sigma) noexcept;
 
 // The numbers of a column in a data set. Not for mount, which holds text.
 [[nodiscard]] std::vector<double>& numbers(Dataset& record, Column column);
 [[nodiscard]] const std::vector<double>& numbers(const Dataset& record, Column column);
 
-// The unit that the record declares for a column; a sigma has its quantity's.
+// The unit that the record declares for a column. A sigma column has the unit of its quantity.
 [[nodiscard]] Unit& unit_of(Dataset& record, Column column);
 [[nodiscard]] const Unit& unit_of(const Dataset& record, Column column);
 

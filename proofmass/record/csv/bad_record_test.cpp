@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every bad record gets one error that names the file, the row, the column, what was found and what was
-// expected.
+// Every bad record causes one error with the file, the row, the column, what was found and what was expected.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -15,7 +14,7 @@
 namespace proofmass {
 namespace {
 
-// The message of the bad-data error that reading gives.
+// The message of the bad-data error that reading throws.
 std::string message_of(const std::filesystem::path& path, const ReadOptions& options = {}) {
   try {
     const Dataset record = read_record(path, options);
@@ -30,7 +29,7 @@ std::string message_of(const std::filesystem::path& path, const ReadOptions& opt
 struct BadRecord {
   std::string name;
   std::string text;
-  std::string rest;  // of the message, after the file's name
+  std::string rest;  // of the message, after the file name
   std::map<std::string, std::string> rename = {};
 };
 
@@ -168,7 +167,7 @@ TEST(BadFiles, Directory) {
 
 TEST(BadFiles, FileThatCannotBeRead) {
   const std::filesystem::path path =
-      "/proc/self/mem";  // opens, but address 0 cannot be read, by root neither
+      "/proc/self/mem";  // can be opened, but reading at address 0 fails, also for root
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   EXPECT_EQ(message_of(path),
             "/proc/self/mem: found 'Input/output error', expected a readable record (a CSV file)");

@@ -14,14 +14,14 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kSample = 1000;                        // rows by whose length the file is judged
-constexpr std::size_t kMostExpected = std::size_t{1} << 24;  // rows to make room for before they are seen
+constexpr std::size_t kSample = 1000;  // rows whose mean length predicts the number of rows in the file
+constexpr std::size_t kMostExpected = std::size_t{1} << 24;  // most rows to reserve memory for in advance
 
 void append_rows(LineReader& lines, RowParser& rows) {
   for (std::size_t count = 0; const auto line = lines.next();) {
     if (is_skipped(*line)) continue;
     rows.append(*line, lines.line_number());
-    // Room beforehand, and a little to spare, saves copies of the columns as they grow.
+    // Reserving memory in advance, with a small margin, avoids copies of the columns as they grow.
     if (++count != kSample) continue;
     const std::size_t expected = lines.expected_lines();
     rows.reserve(std::min(expected + expected / 20, kMostExpected));

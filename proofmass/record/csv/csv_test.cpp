@@ -157,7 +157,8 @@ TEST(ReadRecord, ReportsMegabytesAndStopsWhenTold) {
   }
 }
 
-// Control characters are looked for block by block: one in a later block is found, and only its line refused.
+// Control characters are searched for block by block. One in a later block is found, and only its line is
+// refused.
 TEST(ReadRecord, NamesTheLineOfAControlCharacterFarIntoAFile) {
   std::string text = "Ai,E\n";
   for (int k = 0; k < 200'000; ++k) text += k == 150'000 ? "1,2\x01\n" : "1,2\n";
@@ -184,7 +185,7 @@ TEST(ReadRecord, UsageErrorsOfRenaming) {
   refused({.rename = {{"Ai", "x"}, {"E", "x"}}}, "'x' is renamed twice");
 }
 
-// The six labelled positions of a real triad: its reference accelerations against its raw x output.
+// The six labelled positions of a real triad: its reference accelerations and its raw x output.
 TEST(ReadRecord, ReadsARealRecordThroughRenaming) {
   const auto path = test::reference_data("positions/imucal_ferraris_6pos.csv");
   if (!path) GTEST_SKIP() << test::kNoReferenceData;
@@ -194,7 +195,7 @@ TEST(ReadRecord, ReadsARealRecordThroughRenaming) {
            {"Ai", "ref_gx"}, {"Ao", "ref_gy"}, {"Ap", "ref_gz"}, {"E", "ax_raw[counts]"}, {"mount", "pos"}}});
   EXPECT_EQ(record.acceleration[0], (Column{1, -1, 0, 0, 0, 0}));
   EXPECT_EQ(record.acceleration[1], (Column{0, 0, 1, -1, 0, 0}));
-  // The same field by other means: the sixth of the first row.
+  // The same field read independently: the sixth field of the first row.
   std::istringstream rows(test::read_file(*path));
   std::string field;
   std::getline(rows, field);

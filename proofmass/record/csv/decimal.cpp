@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Digits are read eight at a time in one word. The integer w that they make and the power of ten to divide it
-// by are exact in the 64-bit significand of the x87 format, so that w / 10^q is rounded once to 64 bits and
-// once more to 53. The second rounding equals rounding at once unless the 64 bits lie midway between two
-// doubles.
+// Reads eight digits at a time in one word. The integer w that the digits form and the power of ten that
+// divides it are exact in the 64-bit significand of the x87 format. So w / 10^q is rounded once to 64 bits
+// and once more to 53. The result equals a single rounding unless the 64 bits lie midway between two doubles.
 #include "proofmass/record/csv/decimal.hpp"
 
 #include <array>
@@ -22,12 +21,12 @@ constexpr bool kExtended =
 constexpr std::size_t kWide = sizeof(Word);  // digits read at a time
 constexpr std::size_t kMostDecimals = 27;    // 5^27 < 2^64 <= 5^28
 constexpr Word kZeros = 0x3030303030303030;  // "00000000"
-constexpr Word kLargest = Word{1} << 63U;    // signed integers are the faster to convert
+constexpr Word kLargest = Word{1} << 63U;    // limit, because signed integers are converted faster
 
 constexpr std::array<Word, kWide + 1> kPowers{1,       10,        100,        1000,       10'000,
                                               100'000, 1'000'000, 10'000'000, 100'000'000};
 
-// w below kRoom[k] has room for k more digits.
+// A number w below kRoom[k] has room for k more digits.
 constexpr auto kRoom = [] {
   std::array<Word, kWide + 1> room{};
   for (std::size_t k = 0; k <= kWide; ++k) room[k] = kLargest / kPowers[k] - 1;
@@ -41,14 +40,14 @@ constexpr auto kTens = [] {
   return tens;
 }();
 
-// How many of the characters in `text`, from the lowest byte up, are digits before the first that is not.
+// Number of digits in `text` before its first other character, from the lowest byte up.
 std::size_t digits_in(Word text) noexcept {
   const Word values = text ^ kZeros;  // a digit's byte becomes its value
   const Word others = ((values + 0x7676767676767676) | values) & 0x8080808080808080;
   return static_cast<std::size_t>(std::countr_zero(others)) / 8U;
 }
 
-// The number that eight digits make: neighbours are joined to pairs, pairs to fours, fours to eight.
+// The number that eight digits form: neighbours are joined to pairs, pairs to fours, fours to eight.
 Word value_of(Word text) noexcept {
   text -= kZeros;
   text = text * 10 + (text >> 8U);
@@ -58,7 +57,7 @@ Word value_of(Word text) noexcept {
   return ((text & mask) * even + ((text >> 16U) & mask) * odd) >> 32U;
 }
 
-// Appends the digits at `at` to `w` and returns where they end; null when there is no room for them.
+// Appends the digits at `at` to `w` and returns their end; null when there is no room for them.
 const char* append_digits(const char* at, const char* last, Word& w) noexcept {
   while (static_cast<std::size_t>(last - at) >= kWide) {
     Word text = 0;
@@ -66,7 +65,7 @@ const char* append_digits(const char* at, const char* last, Word& w) noexcept {
     const std::size_t n = digits_in(text);
     if (w >= kRoom[n]) return nullptr;
     if (n == 0) return at;
-    // Fewer than eight move up, and zeros lead them.
+    // Fewer than eight digits are shifted up, with zeros in front.
     if (n < kWide) text = (text << (64 - 8 * n)) | (kZeros >> (8 * n));
     w = w * kPowers[n] + value_of(text);
     at += n;
@@ -79,7 +78,7 @@ const char* append_digits(const char* at, const char* last, Word& w) noexcept {
   return at;
 }
 
-// w / 10^decimals; false when the quotient lies midway between two doubles or seems to.
+// Computes w / 10^decimals. False when the quotient is, or seems to be, midway between two doubles.
 bool divide(Word w, std::size_t decimals, double& value) noexcept {
   const long double quotient = static_cast<long double>(static_cast<std::int64_t>(w)) / kTens[decimals];
   Word significand = 0;
@@ -109,7 +108,7 @@ Decimal scan_decimal(const char* first, const char* last) noexcept {
   if (digits == 0 || decimals > kMostDecimals || (at != last && (*at == 'e' || *at == 'E'))) return {};
   double value = 0.0;
   if (!divide(w, decimals, value)) return {};
-  // Signs hardly repeat either way: a branch would be mispredicted.
+  // Signs follow no pattern, so a branch would be mispredicted.
   return {.value = std::bit_cast<double>(std::bit_cast<Word>(value) | Word{negative} << 63U), .end = at};
 }
 

@@ -5,7 +5,7 @@
 
 namespace proofmass {
 
-// So many bytes from the first of a number on must be readable, whatever they are.
+// This many bytes from the start of a number must be readable; their values do not matter.
 inline constexpr std::size_t kDecimalWindow = 40;
 
 struct Decimal {
@@ -13,9 +13,9 @@ struct Decimal {
   const char* end = nullptr;  // first character after the number; null when it was not read
 };
 
-// Reads the number that begins at `first`, correctly rounded, when it is one as records mostly hold: with or
-// without '-', at most 8 digits, then perhaps a point and more digits, at most 18 in all. Any other, and the
-// rare one that would take more than one rounding, is left to scan_number.
+// Reads the number that begins at `first`, correctly rounded, if it has the usual form: an optional '-', at
+// most 8 digits, optionally a point and more digits, at most 18 digits in all. Other numbers, and the rare
+// ones that would need more than one rounding, are left to scan_number.
 [[nodiscard]] Decimal scan_decimal(const char* first, const char* last) noexcept;
 
 }  // namespace proofmass

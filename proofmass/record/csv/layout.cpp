@@ -27,7 +27,7 @@ Error missing(const Header& header, Column column, const std::string& wanted) {
       fmt::format("a column named {}{}; columns are separated by comma, semicolon or tab", wanted, renamed));
 }
 
-// The only cell that `matches`; nothing when there is none; an error when there are more.
+// The only cell that `matches`. Empty when there is none; throws an Error when there are more.
 template <typename Predicate>
 std::optional<std::size_t> only(const Header& header, const std::string& wanted, Predicate matches) {
   std::optional<std::size_t> found;
@@ -73,7 +73,7 @@ std::vector<PlacedColumn> renamed_columns(const Header& header, const ReadOption
   return placed;
 }
 
-// Columns that go by the contract's own names. A column that was renamed has lost its own.
+// Columns found by Proofmass's own names. A column that was renamed is no longer found by its own name.
 void add_named_columns(const Header& header, std::vector<PlacedColumn>& placed) {
   const std::vector<PlacedColumn> renamed = placed;
   const auto was_renamed = [&](const HeaderCell& cell) {

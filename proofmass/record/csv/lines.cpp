@@ -13,7 +13,7 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 18;  // bytes asked for at a time
+constexpr std::size_t kBlock = std::size_t{1} << 18;  // bytes read at a time
 constexpr std::size_t kMegabyte = 1'000'000;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -32,17 +32,16 @@ std::FILE* open(const std::filesystem::path& path, const std::string& name) {
   return file;
 }
 
-// Bytes in a regular file, which standard input may be; 0 for anything else.
+// Bytes in a regular file (standard input may be one); 0 for anything else.
 std::size_t size_of(std::FILE* file) noexcept {
   struct stat status {};
   if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode)) return 0;
   return static_cast<std::size_t>(status.st_size);
 }
 
-// Tabs may be separators; everything else below a blank has no place in a line of a text file, and but for
-// `line_end` none in the text.
+// Only a tab, which may be a separator, and `line_end` are allowed among the characters below a blank.
 bool has_control(std::string_view text, char line_end = '\t') noexcept {
-  unsigned char found = 0;  // without an early exit, and in bytes, the compiler makes this a vector loop
+  unsigned char found = 0;  // no early exit, and bytes: the compiler then vectorises the loop
   for (const char c : text) {
     const bool control = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != line_end;
     found = static_cast<unsigned char>(found | static_cast<unsigned char>(control));
@@ -50,7 +49,7 @@ bool has_control(std::string_view text, char line_end = '\t') noexcept {
   return found != 0;
 }
 
-// The first control character and what stands around it.
+// The first control character and the text around it.
 std::string_view around_control(std::string_view line) {
   const auto* const at = std::find_if(line.begin(), line.end(), [](char c) { return has_control({&c, 1}); });
   const auto position = static_cast<std::size_t>(at - line.begin());
@@ -81,7 +80,8 @@ void LineReader::report() const {
   if (progress_.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
   if (size_ == 0) return;
   const auto megabytes = [](std::size_t bytes) { return (bytes + kMegabyte - 1) / kMegabyte; };
-  progress_.update("reading (MB)", megabytes(read_), megabytes(std::max(size_, read_)));  // it may be growing
+  progress_.update("reading (MB)", megabytes(read_),
+                   megabytes(std::max(size_, read_)));  // the file may be growing
 }
 
 bool LineReader::fill() {

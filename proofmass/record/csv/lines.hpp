@@ -15,26 +15,26 @@
 
 namespace proofmass {
 
-// Reads a text file line by line in blocks, so that memory is bounded by the longest line allowed, and hashes
-// what it reads. Lines end in LF or CRLF. Refuses, with a bad-data Error, what is not a text file:
-// directories, control characters, UTF-16, lines that are too long. Reports megabytes read while the file's
-// size is known, and stops with an Error of kind interrupted when it is told to.
+// Reads a text file line by line in blocks, and hashes what it reads. The longest line allowed limits the
+// memory. Lines end in LF or CRLF. Throws a bad-data Error when the input is not a text file: a directory,
+// control characters, UTF-16, or lines that are too long. Reports megabytes read when the file's size is
+// known, and throws an Error of kind interrupted when it is told to stop.
 class LineReader {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 20;  // bytes
 
-  // "-" is standard input. Keeps the progress, which must outlive it.
+  // "-" is standard input. Keeps a reference to the progress, which must outlive this object.
   LineReader(const std::filesystem::path& path, Progress& progress);
 
-  // The next line without its end, valid until the next call; nothing at the end of the file.
+  // The next line without its line end, valid until the next call. Empty at the end of the file.
   [[nodiscard]] std::optional<std::string_view> next();
-  // Of the line last returned, from 1.
+  // Number of the line last returned, from 1.
   [[nodiscard]] std::size_t line_number() const noexcept { return line_number_; }
-  // How many lines the file holds if they are as long as those so far; 0 when its size is unknown.
+  // Estimated number of lines in the file, from the mean length so far; 0 when the file's size is unknown.
   [[nodiscard]] std::size_t expected_lines() const noexcept;
-  // The file as messages name it.
+  // Name of the file for messages.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  // Of the bytes read; call once, at the end of the file.
+  // Hash of the bytes read. Call once, at the end of the file.
   [[nodiscard]] std::string sha256() { return hash_.hex(); }
 
  private:
@@ -55,7 +55,7 @@ class LineReader {
   std::vector<char> buffer_;
   std::size_t begin_ = 0;  // of the bytes in the buffer that have not been returned yet
   std::size_t end_ = 0;
-  bool clean_ = false;  // no control character but tabs and line ends in the buffer
+  bool clean_ = false;  // the buffer has no control characters other than tabs and line ends
   bool at_end_ = false;
   std::size_t line_number_ = 0;
 };

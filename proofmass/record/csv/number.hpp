@@ -14,14 +14,14 @@ struct ScannedNumber {
   NumberFault fault = NumberFault::none;
 };
 
-// Reads the decimal number that begins at `first`, correctly rounded; a leading '+' is allowed, blanks are
+// Reads the decimal number that begins at `first`, correctly rounded. A leading '+' is allowed, blanks are
 // not.
 [[nodiscard]] ScannedNumber scan_number(const char* first, const char* last) noexcept;
 
-// The fault of a field that should hold one number and nothing else.
+// What is wrong with a field that should hold one number and nothing else.
 [[nodiscard]] NumberFault number_fault(std::string_view field) noexcept;
 
-// What was expected instead of a faulty field, for an error message.
+// What was expected instead of a wrong field, for an error message.
 [[nodiscard]] std::string expected_number(std::string_view field, NumberFault fault);
 
 }  // namespace proofmass

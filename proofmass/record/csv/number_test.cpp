@@ -17,7 +17,7 @@
 namespace proofmass {
 namespace {
 
-// The same bits as strtod gives, and the end in the same place.
+// The result has the same bits as strtod's, and ends at the same character.
 void expect_as_strtod(const std::string& text) {
   char* end = nullptr;
   const double expected = std::strtod(text.c_str(), &end);
@@ -57,7 +57,7 @@ RC_GTEST_PROP(ScanNumber, ReadsTheShortestFormOfAnyDouble, (std::uint64_t bits))
   }
 }
 
-// Midway between two doubles, and one unit of the last decimal to either side.
+// A number midway between two doubles, and its neighbours one unit of the last decimal away.
 RC_GTEST_PROP(ScanNumber, RoundsTiesToEven, ()) {
   const auto odd = *rc::gen::inRange<std::int64_t>(std::int64_t{1} << 53, std::int64_t{1} << 54) | 1;
   for (const std::int64_t nearby : {odd - 1, odd, odd + 1}) {

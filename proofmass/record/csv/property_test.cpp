@@ -19,7 +19,7 @@ namespace {
 
 using Column = std::vector<double>;
 
-// Finite doubles of every magnitude, subnormal ones and both zeros included.
+// Finite doubles of every magnitude, including subnormal numbers and both zeros.
 rc::Gen<double> any_double() {
   return rc::gen::suchThat(rc::gen::map(rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()),
                                         [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
@@ -78,7 +78,7 @@ RC_GTEST_PROP(Record, ReadsBackTheSameBits, ()) {
   RC_ASSERT(written(back) == written(record));
 }
 
-// A record that came in other units keeps its bits when it is written in them again and read back.
+// A record read in other units keeps its bits when it is written in these units and read again.
 RC_GTEST_PROP(Record, DeclaredUnitsKeepTheBitsOfWhatWasRead, ()) {
   const auto symbol =
       *rc::gen::elementOf(std::vector<std::string>{"mg", "ug", "m/s^2", "mm/s^2", "mGal", "ft/s^2"});
@@ -112,7 +112,7 @@ RC_GTEST_PROP(Record, SeparatorsAndLineEndsDoNotMatter, ()) {
   RC_ASSERT(bits(record.output) == bits(outputs));
 }
 
-// Either a record comes out or an Error: nothing else, whatever the bytes.
+// Whatever the bytes, reading returns a record or throws an Error.
 void read_or_refuse(const std::string& bytes) {
   const test::TemporaryFolder folder;
   try {

@@ -56,7 +56,7 @@ const char* RowParser::take(const Slot& slot, const char* first, const char* las
   return take_text(slot, field) ? end : nullptr;
 }
 
-// The common case, without a copy or a second pass: a bare number between blanks.
+// The common case, read without a copy or a second pass: an unquoted number between blanks.
 const char* RowParser::take_number(const Slot& slot, const char* first, const char* last) const {
   while (first != last && is_blank(*first, separator_)) ++first;
   const ScannedNumber number = scan_number(first, last);

@@ -12,18 +12,19 @@
 
 namespace proofmass {
 
-// Appends lines of a record to the columns of a data set, in canonical units. The data set must outlive it.
+// Appends lines of a record to the columns of a data set, in canonical units. The data set must outlive this
+// object.
 class RowParser {
  public:
   RowParser(const Header& header, const std::vector<PlacedColumn>& placed, Dataset& record);
 
-  // Makes room for `rows` in all.
+  // Reserves memory for `rows` rows in total.
   void reserve(std::size_t rows);
-  // Throws a bad-data Error that says what is wrong with the line.
+  // Throws a bad-data Error that states what is wrong with the line.
   void append(std::string_view line, std::size_t line_number);
 
  private:
-  // What becomes of a field of a line; nothing when both pointers are null.
+  // Destination of a field of a line. The field is ignored when both pointers are null.
   struct Slot {
     std::vector<double>* numbers = nullptr;
     std::vector<std::string>* labels = nullptr;
@@ -32,7 +33,7 @@ class RowParser {
     std::string name;
   };
 
-  // The separator that ends the field at `first`, or `last`; null when the field is not what the slot takes.
+  // The separator that ends the field at `first`, or `last`. Null when the field is not of the slot's type.
   [[nodiscard]] const char* take(const Slot& slot, const char* first, const char* last) const;
   [[nodiscard]] const char* take_number(const Slot& slot, const char* first, const char* last) const;
   [[nodiscard]] static bool take_text(const Slot& slot, std::string_view field);
@@ -40,7 +41,7 @@ class RowParser {
 
   std::string file_;
   char separator_;
-  std::vector<Slot> slots_;  // one a field of a line
+  std::vector<Slot> slots_;  // one per field of a line
   std::vector<std::size_t>& lines_;
 };
 

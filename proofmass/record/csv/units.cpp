@@ -18,7 +18,7 @@ constexpr std::array kTime{Quantity::time};
 constexpr std::array kOutput{Quantity::acceleration, Quantity::voltage, Quantity::current, Quantity::count,
                              Quantity::frequency};
 
-// The quantities that a column may hold, the default first; empty for text.
+// The quantities that a column may hold, the default first. Empty for text.
 std::span<const Quantity> quantities(Column column) {
   switch (measured_by(column).value_or(column)) {
     case Column::E:
@@ -58,7 +58,7 @@ Error mixed(const Header& header, const PlacedColumn& odd, const PlacedColumn& o
       fmt::format("the unit of {}, [{}], not mixed units", column_name(other.column), other.unit.symbol));
 }
 
-// What a sigma is converted with exists for accelerations alone; other quantities keep the unit written.
+// Only the sigmas of accelerations are converted; other quantities keep the unit written.
 bool convertible(const Unit& from, const Unit& to) {
   return from.symbol == to.symbol || (from.is_acceleration() && to.is_acceleration());
 }

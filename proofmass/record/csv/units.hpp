@@ -10,14 +10,14 @@
 
 namespace proofmass {
 
-// A column of the file taken as a column of the contract, in the unit written or else in the contract's
-// default: g, degC, s; for an uncertainty the unit of its quantity, which settle_units() supplies. Throws a
-// bad-data Error on a unit that is unknown or of another quantity.
+// Interprets a column of the file as a column of Proofmass. Its unit is the one written, or else the default:
+// g, degC, s; for an uncertainty the unit of its quantity, which settle_units() supplies. Throws a bad-data
+// Error on a unit that is unknown or belongs to another quantity.
 [[nodiscard]] PlacedColumn place_column(const Header& header, Column column, std::size_t index,
                                         const std::optional<std::string>& unit);
 
-// Gives uncertainties without a unit that of their quantity. Throws a bad-data Error when the axes differ in
-// unit, or an uncertainty cannot be converted to its quantity's unit.
+// Gives each uncertainty without a unit the unit of its quantity. Throws a bad-data Error when the axes have
+// different units, or when the unit of an uncertainty cannot be converted to that of its quantity.
 void settle_units(const Header& header, std::vector<PlacedColumn>& placed);
 
 }  // namespace proofmass

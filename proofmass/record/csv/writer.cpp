@@ -26,14 +26,14 @@ struct OutputColumn {
 
 void append_number(std::string& text, double value) {
   if (!std::isfinite(value)) throw usage_error("the numbers of a record must be finite");
-  std::array<char, 32> digits{};  // the longest shortest form has 24 characters
+  std::array<char, 32> digits{};  // the longest number has 24 characters
   const auto [end, status] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  static_cast<void>(status);  // cannot fail: the room suffices
+  static_cast<void>(status);  // cannot fail: the array is large enough
   text.append(digits.data(), end);
 }
 
-// The value which, multiplied by `factor` on reading, gives `canonical` again; the nearest quotient if there
-// is none.
+// The value that gives `canonical` when it is multiplied by `factor` on reading; the nearest quotient if
+// there is none.
 double in_unit(double canonical, double factor) {
   if (factor == 1.0) return canonical;
   const double quotient = canonical / factor;
