@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test of the command line, with a folder of its own. Needs PROOFMASS_CLI, the program.
+// Base class for tests of the command line, with a temporary folder. Needs PROOFMASS_CLI, the path of the
+// program.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ class CommandLine : public ::testing::Test {
     return at("run.csv");
   }
 
-  // The cells of a file of ours: commas, no quotes, no comments.
+  // The cells of a file that Proofmass wrote: commas, no quotes, no comments.
   [[nodiscard]] static std::vector<std::vector<std::string>> cells(const std::string& text) {
     std::vector<std::vector<std::string>> rows;
     std::istringstream lines(text);
@@ -61,7 +62,7 @@ class CommandLine : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// A failure is one line with all of these in it, and nothing on standard output.
+// Checks a failure: one line that contains all of these, and nothing on standard output.
 inline void expect_failure(const Outcome& outcome, int exit_code, const std::vector<std::string>& parts) {
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
   EXPECT_EQ(outcome.out, "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How near a method comes to the Cramér-Rao bound of a simulated record's noise.
+// Compares the errors of a method with the Cramér-Rao bound of a simulated record's noise.
 #pragma once
 
 #include <cmath>
@@ -27,8 +27,8 @@ inline LocationDensity density_of(const OutputNoise& noise) {
           .distance = noise.outlier_share > 0.0 ? noise.outlier_magnitude / noise.sigma : 0.0};
 }
 
-// Smallest standard errors that an unbiased estimator of the terms can have on the record: the information of
-// the location over the square of each row's noise scale, in XᵀWX.
+// Smallest possible standard errors of an unbiased estimator of the terms from the record. The information
+// matrix is XᵀWX, where W is the information about location over the square of each row's noise scale.
 inline std::vector<double> cramer_rao_errors(const SimulationPlan& plan, const Dataset& record,
                                              const TermList& terms, double information) {
   std::vector<double> weights;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of repeated identifications from a plan with input noise, against what the plan allows at best.
+// Errors of repeated identifications from a plan with input noise, compared with the best possible ones.
 #pragma once
 
 #include <cmath>
@@ -13,9 +13,9 @@
 
 namespace proofmass::test {
 
-// Standard deviations of the coefficients that no unbiased estimate from the rows can have less of: inverse
-// information of the likelihood with the true accelerations known only through their noise, to first order in
-// it, sum of phi phiᵀ / (sigma_E² + sum of (dE/dA)² sigma_A²) at the truth.
+// Least possible standard deviations of the coefficients of an unbiased estimate from the rows. The true
+// accelerations are known only through their noise. The information is, to first order in the noise, the sum
+// of phi phiᵀ / (sigma_E² + sum of (dE/dA)² sigma_A²) at the truth.
 inline std::vector<double> errors_in_variables_bound(const SimulationPlan& plan, const TermList& terms) {
   SimulationPlan without = plan;
   without.input_sigma = {};
@@ -42,7 +42,7 @@ class ErrorTally {
     ++repeats_;
   }
 
-  // Mean error over the standard error of that mean by the bound.
+  // Mean error over the standard error of that mean, the latter from the bound.
   [[nodiscard]] double bias_in_standard_errors(Term term) const {
     for (std::size_t k = 0; k < terms_.size(); ++k) {
       if (terms_[k] == term) return sum_[k] / (bound_[k] * std::sqrt(static_cast<double>(repeats_)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The methods of identification in every form that they have.
+// Every identification method in all of its forms, for tests that every method must pass.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 
 namespace proofmass::test {
 
-// A method, and what makes it take another form than by default.
+// A method, and the options that select a form other than the default.
 struct Form : Method {
   std::string label;
   void (*change)(IdentifyOptions& options) = nullptr;
   bool with_sigma = false;  // the records have sigma_E
-  double rounding = 1e-10;  // share of a coefficient by which an exact method may vary
+  double rounding = 1e-10;  // relative error of a coefficient that is allowed to an exact method
   bool takes_one_axis = true;
-  bool settles = true;  // otherwise a rounding may send the search another way
+  bool settles = true;  // false: a rounding error may change the course of the search
 };
 
 inline void PrintTo(const Form& form, std::ostream* out) { *out << form.label; }
@@ -33,7 +33,7 @@ inline Form form_of(std::string_view method, std::string label = {},
   return form;
 }
 
-// Every method in its default form, and the other forms that there are.
+// Every method in its default form, followed by the other forms.
 inline std::vector<Form> method_forms() {
   std::vector<Form> list;
   for (const Method& method : methods()) list.push_back(form_of(method.name));
@@ -45,8 +45,8 @@ inline std::vector<Form> method_forms() {
   list.push_back(
       form_of("robust", "robust_t", [](IdentifyOptions& o) { o.robust.fit.loss = LossKind::student; }));
   list.push_back(form_of("gmdh", "gmdh_mia", [](IdentifyOptions& o) { o.gmdh.form = GmdhForm::mia; }));
-  list.back().exact_without_noise = false;  // quadratics of quadratics are cut off into the terms
-  list.back().rounding = 1e-6;              // layer upon layer
+  list.back().exact_without_noise = false;  // quadratics of quadratics are truncated to the terms
+  list.back().rounding = 1e-6;              // errors accumulate over the layers
   list.back().takes_one_axis = false;
   list.push_back(form_of("afsa", "afsa_columns",
                          [](IdentifyOptions& o) { o.fish.coordinates = FishCoordinates::columns; }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Networks and ways to train them, for tests of what identifies by networks.
+// Networks and training options for tests of the methods that use networks.
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@ inline TrainedNetwork random_network(const Dataset& record, std::size_t hidden, 
   return network;
 }
 
-// The network's output at one point, written out in extended precision.
+// The network's output at one point, computed in extended precision.
 inline long double network_output(const TrainedNetwork& network, const Acceleration& a) {
   const long double point[] = {a.i, a.o, a.p};
   const std::size_t inputs = network.inputs.size();
@@ -46,7 +46,7 @@ inline long double network_output(const TrainedNetwork& network, const Accelerat
 
 inline bool always() { return true; }
 
-// Asks the work to stop once it has been told of it `updates` times.
+// Asks the computation to stop after `updates` progress reports.
 class CancelAfter final : public Progress {
  public:
   explicit CancelAfter(std::size_t updates) : left_(static_cast<long>(updates)) {}

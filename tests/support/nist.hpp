@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The NIST Statistical Reference Datasets' .dat files, linear and nonlinear.
+// Reads the .dat files of the NIST Statistical Reference Datasets, linear and nonlinear.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ inline std::vector<double> numbers_in(std::string text) {
   return numbers;
 }
 
-// The two line numbers of a header entry such as "Certified Values  (lines 31 to 51)".
+// The two line numbers in a header entry such as "Certified Values  (lines 31 to 51)".
 inline std::pair<std::size_t, std::size_t> line_range(const std::vector<std::string>& lines,
                                                       const std::string& what) {
   for (const std::string& line : lines) {
@@ -76,7 +76,8 @@ inline void read_certified_line(const std::string& line, NistProblem& problem) {
   } else if (line.find("Sum of Squares") != std::string::npos && numbers.size() == 1) {
     problem.residual_sum_of_squares = numbers[0];
   } else if (line.find("Residual") != std::string::npos && numbers.size() == 3) {
-    problem.residual_sum_of_squares = numbers[1];  // row of the analysis of variance: freedom, sum, mean
+    problem.residual_sum_of_squares =
+        numbers[1];  // row of the analysis of variance: degrees of freedom, sum, mean
   }
 }
 
@@ -87,7 +88,7 @@ inline NistProblem read_nist(const std::filesystem::path& path) {
   NistProblem problem;
   problem.name = path.stem().string();
   const auto [first_row, last_row] = line_range(lines, "Data");
-  // The sums of squares stand below the certified values that the header announces.
+  // The sums of squares follow the certified values that the header announces.
   const std::size_t first_certified = line_range(lines, "Certified Values").first;
   for (std::size_t k = first_certified; k < first_row; ++k) read_certified_line(lines.at(k), problem);
   for (std::size_t k = first_row; k <= last_row; ++k) {
@@ -99,7 +100,8 @@ inline NistProblem read_nist(const std::filesystem::path& path) {
   return problem;
 }
 
-// Correct digits of a value (NIST's log relative error), at most 15; of zero, by absolute error.
+// Correct digits of a value (NIST's log relative error), at most 15. For a certified zero, by the absolute
+// error.
 inline double correct_digits(double value, double certified) {
   const double error = std::abs(value - certified) / (certified == 0.0 ? 1.0 : std::abs(certified));
   return error == 0.0 ? 15.0 : std::clamp(-std::log10(error), 0.0, 15.0);

@@ -16,8 +16,8 @@ namespace proofmass::test {
 struct CertifiedSet {
   std::string name;
   bool intercept;
-  int degree;     // powers of the first predictor; 0: every predictor as it is
-  double digits;  // to be reached by the worst of coefficients and standard deviations
+  int degree;     // powers of the first predictor; 0: every predictor unchanged
+  double digits;  // required of the worst coefficient and the worst standard deviation
 };
 
 inline void PrintTo(const CertifiedSet& set, std::ostream* out) { *out << set.name; }
@@ -49,8 +49,8 @@ struct CertifiedDigits {
   double standard_deviations = 15.0;
 };
 
-// Wampler 1 and 2 are exact polynomials with certified deviations of zero: digits are then those of the
-// absolute value, against coefficients of 1 and less.
+// Wampler 1 and 2 are exact polynomials whose certified deviations are zero. Their digits are those of the
+// absolute value; the coefficients are 1 or less.
 inline CertifiedDigits certified_digits(const NistProblem& problem, const std::vector<double>& coefficients,
                                         const Matrix& unscaled_covariance, double residual_sd) {
   CertifiedDigits digits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a program the way a shell does, for end-to-end tests.
+// Runs a program as a shell does, for end-to-end tests.
 #pragma once
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@
 namespace proofmass::test {
 
 struct Outcome {
-  int exit_code = -1;  // 128 + the signal that ended the process, as shells say
+  int exit_code = -1;  // 128 + the signal that ended the process, as in shells
   std::string out;
   std::string err;
 };
@@ -30,7 +30,7 @@ struct Outcome {
 struct Launch {
   std::vector<std::string> command;
   std::string standard_input = {};
-  std::vector<std::pair<std::string, std::string>> environment = {};  // beside the caller's
+  std::vector<std::pair<std::string, std::string>> environment = {};  // added to the caller's
   std::string standard_output = {};  // a file such as /dev/full; captured when empty
 };
 
@@ -38,7 +38,7 @@ inline int exit_code_of(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-// In the child: becomes the program.
+// In the child process: runs the program.
 [[noreturn]] inline void become(const Launch& launch) {
   for (const auto& [name, value] : launch.environment) setenv(name.c_str(), value.c_str(), 1);
   std::vector<char*> arguments;
@@ -48,7 +48,7 @@ inline int exit_code_of(int status) {
   _exit(127);
 }
 
-// A program that is running; its streams are files, so that nothing can block.
+// A running program. Its streams are files, so that nothing can block.
 class Process {
  public:
   explicit Process(Launch launch) {
@@ -75,7 +75,7 @@ class Process {
 
   void send(int signal_number) const { kill(pid_, signal_number); }
   [[nodiscard]] std::string errors_so_far() const { return read_file(folder_.path() / "err"); }
-  // Whether it has not ended yet.
+  // True while the program runs.
   [[nodiscard]] bool is_running() {
     siginfo_t info{};
     return waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -95,7 +95,7 @@ class Process {
 
 inline Outcome run_process(Launch launch) { return Process(std::move(launch)).wait(); }
 
-// What the program writes when its streams are a terminal; both streams come out mixed.
+// The output of the program when its streams are a terminal; both streams are mixed.
 inline std::string run_on_terminal(const Launch& launch) {
   int terminal = -1;
   const pid_t pid = forkpty(&terminal, nullptr, nullptr, nullptr);

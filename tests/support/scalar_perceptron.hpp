@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The perceptron written the plain way, one sample at a time in extended precision: what the kernels must
-// agree with.
+// A straightforward perceptron, one sample at a time in extended precision. The kernels must agree with it.
 #pragma once
 
 #include <cmath>
@@ -24,7 +23,7 @@ inline RealVector sample_inputs(const Samples& samples, std::size_t row) {
   return x;
 }
 
-// Weights may be longer than the hidden layer needs; only its own are read.
+// The weights may be more than the hidden layer needs; only the first ones are read.
 template <typename Weights>
 Real scalar_activation(const PerceptronShape& shape, const Weights& weights, std::size_t unit,
                        const RealVector& x) {

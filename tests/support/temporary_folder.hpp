@@ -13,7 +13,7 @@
 
 namespace proofmass::test {
 
-// A folder of its own for one test, removed with everything in it.
+// A temporary folder for one test, removed with all its files.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -29,7 +29,7 @@ class TemporaryFolder {
   }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  // Writes a file into the folder and returns where it is.
+  // Writes a file into the folder and returns its path.
   std::filesystem::path write(const std::string& name, std::string_view content) const {
     std::ofstream file(path_ / name, std::ios::binary);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small simulated record with known truth: the paper's accelerometer in random directions.
+// A small simulated record with known coefficients: the paper's accelerometer in random directions.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,7 @@ inline StaticModel paper_truth() {
 
 struct TwinOptions {
   std::size_t rows = 300;
-  double least = 1.0;  // |A| is uniform between these, in g
+  double least = 1.0;  // |A| is uniform from least to greatest, in g
   double greatest = 20.0;
   double noise = 3e-4;  // standard deviation of white output noise, in g
   std::uint64_t seed = 1;
