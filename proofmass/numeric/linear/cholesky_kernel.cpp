@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// The matrix and the inverse of its pivots, as far as it is factored.
+// The matrix and the inverses of its pivots, for the columns factored so far.
 struct PartFactors {
   double* matrix;
   std::size_t n, stride;
@@ -27,9 +27,9 @@ struct PartFactors {
   [[nodiscard]] std::size_t top(std::size_t c) const { return c / kLanes * kLanes; }
 };
 
-// Column j, from row `first` on, less the products of the columns before it: kVectors vectors of rows. Every
-// other column goes to sums of its own, so that fewer products wait for the one before. What a vector holds
-// above the diagonal counts as zero, and is spoilt.
+// Column j, from row `first` on, minus the products of the columns before it: kVectors vectors of rows. Every
+// other column has its own sums, so that fewer products wait for the one before. Values above the diagonal in
+// a vector count as zero, and are overwritten.
 template <std::size_t kVectors>
 HWY_INLINE void Eliminate(const PartFactors& factors, std::size_t j, std::size_t first) {
   double* const column = factors.column(j) + first;
@@ -60,19 +60,19 @@ HWY_INLINE void Eliminate(const PartFactors& factors, std::size_t j, std::size_t
   }
 }
 
-// Vectors that registers hold with their sums twice.
+// Number of vectors whose two sets of sums fit into the registers.
 constexpr std::size_t kMost = 5;
 
-// The last rows, up to kVectors vectors of them.
+// The last rows, at most kVectors vectors.
 template <std::size_t kVectors>
 HWY_INLINE void EliminateRest(const PartFactors& factors, std::size_t j, std::size_t first) {
   if (first + kVectors * kLanes == factors.stride) return Eliminate<kVectors>(factors, j, first);
   if constexpr (kVectors > 1) EliminateRest<kVectors - 1>(factors, j, first);
 }
 
-// n³ / 6 multiplications, and half a vector more for each pair of columns: the sums of a column stay in
-// registers while those before it pass by. Columns stay as they are, times their pivot, so that the next one
-// waits for a division but no root.
+// Takes n³ / 6 multiplications, and half a vector more for each pair of columns. The sums of a column stay in
+// registers while the columns before it are read. Columns stay multiplied by their pivot, so that the next
+// one waits for a division but not for a root.
 bool Factor(double* matrix, std::size_t n, std::size_t stride, double* inverse) {
   const PartFactors factors{matrix, n, stride, inverse};
   for (std::size_t j = 0; j < factors.n; ++j) {
@@ -89,7 +89,7 @@ bool Factor(double* matrix, std::size_t n, std::size_t stride, double* inverse) 
   return true;
 }
 
-// The solution for -b; `rest` is scratch of as many values as a column.
+// The solution for -b. `rest` is scratch memory of one column.
 void Solve(double* matrix, std::size_t n, std::size_t stride, double* inverse, const double* b, double* rest,
            double* solution) {
   const PartFactors factors{matrix, n, stride, inverse};
@@ -103,8 +103,8 @@ void Solve(double* matrix, std::size_t n, std::size_t stride, double* inverse, c
       hn::Store(hn::NegMulAdd(factor, hn::Load(kD, column + at), hn::Load(kD, rest + at)), kD, rest + at);
     }
   }
-  // From the last column on. The vector that is being solved stays in its register, zero where that is to
-  // come: memory written value by value is not read as a vector without a wait.
+  // From the last column to the first. The vector being solved stays in its register, with zeros for values
+  // not yet known. Memory written value by value cannot be read as a vector without a wait.
   for (std::size_t top = factors.stride; top > 0; top -= kLanes) {
     V solved = hn::Zero(kD);
     for (std::size_t j = std::min(top, factors.n); j-- > top - kLanes;) {
@@ -134,7 +134,7 @@ HWY_EXPORT(Solve);
 bool CholeskyFactors::factor() {
   const bool definite =
       HWY_DYNAMIC_DISPATCH(Factor)(matrix_.values.data(), matrix_.n, matrix_.stride, inverse_.data());
-  // Nothing that is not a number may stay in the rows of the padding.
+  // The rows of the padding must not hold NaN.
   if (!definite) std::fill(matrix_.values.begin(), matrix_.values.end(), 0.0);
   return definite;
 }

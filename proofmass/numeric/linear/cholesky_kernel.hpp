@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cholesky's factors of a small matrix and the equations they solve, vectorised, chosen at run time for the
-// processor.
+// Cholesky factors of a small matrix and the solution of its equations, vectorised; the instruction set is
+// chosen at run time.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +30,10 @@ class CholeskyFactors {
  public:
   explicit CholeskyFactors(std::size_t n) : matrix_(n), inverse_(n), rest_(matrix_.stride) {}
 
-  // Takes the place of all factors: the matrix is to be written here, its lower triangle at least.
+  // Replaces all factors: write the matrix here, at least its lower triangle.
   [[nodiscard]] PaddedSquare& matrix() noexcept { return matrix_; }
-  // Turns the matrix into L D. False where a pivot is not positive and finite: all is spoilt then.
+  // Factors the matrix into L D. Returns false when a pivot is not positive and finite; the contents are then
+  // invalid.
   [[nodiscard]] bool factor();
   // The solution for -b, n values of each.
   void solve(std::span<const double> b, std::span<double> solution);

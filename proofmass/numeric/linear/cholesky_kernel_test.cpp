@@ -103,10 +103,11 @@ TEST_P(CholeskyKernel, RefusesWhatPivotsAloneDoNotShow) {
   for (std::size_t column = 0; column + 1 < n; ++column) {
     for (const double value : {std::numeric_limits<double>::quiet_NaN(), 1e9}) {
       PaddedSquare matrix = random_gram(n, random);
-      matrix.column(column)[n - 1] = value;  // more than the diagonal's elements allow
+      matrix.column(column)[n - 1] =
+          value;  // larger than the diagonal elements of a positive definite matrix allow
       reused.matrix() = matrix;
       EXPECT_FALSE(reused.factor()) << column << ", " << value;
-      // What is left of a failure does not spoil the next matrix in its place.
+      // A failure must not affect the next matrix in the same memory.
       const PaddedSquare sound = random_gram(n, random);
       for (std::size_t c = 0; c < n; ++c) {
         std::copy_n(sound.column(c) + c, n - c, reused.matrix().column(c) + c);

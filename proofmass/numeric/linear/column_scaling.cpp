@@ -9,7 +9,7 @@
 namespace proofmass {
 namespace {
 
-// The exponent e with length = m * 2^e, m in [1/2, 1), without overflow on the way; 0 for a length of zero.
+// The exponent e with length = m * 2^e, m in [1/2, 1), computed without overflow; 0 for a length of zero.
 int length_exponent(std::span<const double> column) {
   double largest = 0.0;
   bool finite = true;

@@ -8,11 +8,11 @@
 namespace proofmass {
 namespace {
 
-// The square of a quarter of the tolerance, 2e-28: above the rounding of the sums, and below what can pass as
-// independent.
+// The square of a quarter of the tolerance, 2e-28: above the rounding of the sums, and below every column
+// that counts as independent.
 constexpr double kNoPivot = kRankTolerance * kRankTolerance / 16.0;
 
-// The power of two that brings a length into [1/2, 1), from its square; 1 for zero.
+// The power of two that brings a length into [1/2, 1), from the square of the length; 1 for zero.
 double unit_scale(double square) {
   return square > 0.0 ? std::scalbn(1.0, -(std::ilogb(std::sqrt(square)) + 1)) : 1.0;
 }
@@ -24,11 +24,11 @@ GramFactor::GramFactor(const GramMatrix& gram) {
   for (std::size_t c = 0; c < n; ++c) scales_.push_back(unit_scale(gram(c, c).value()));
   r_.resize(n * n);
   projection_.resize(n);
-  // What elimination has left of the Gram matrix, with the products with the response as last column.
+  // The Gram matrix after the elimination steps so far, with the products with the response as last column.
   std::vector<DoubleDouble> rest(n * (n + 1));
   for (std::size_t j = 0; j <= n; ++j) {
     for (std::size_t i = 0; i < n; ++i) {
-      // One factor after the other: their product may leave the range where this does not.
+      // Multiply by one factor after the other: the product of the factors may overflow.
       rest[j * n + i] = scaled(scaled(gram(i, j), scales_[i]), j < n ? scales_[j] : 1.0);
     }
   }

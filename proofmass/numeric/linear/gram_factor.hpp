@@ -11,24 +11,24 @@
 namespace proofmass {
 
 // The Cholesky factor of a Gram matrix (Golub & Van Loan, Matrix Computations, 4.2) in twice the working
-// precision: R of the QR decomposition of the columns themselves, upper triangular, for the columns scaled by
-// further powers of two to lengths in [1/2, 1).
+// precision. It is the upper triangular R of the QR decomposition of the columns, which are scaled by further
+// powers of two to lengths in [1/2, 1).
 class GramFactor {
  public:
   explicit GramFactor(const GramMatrix& gram);
 
   [[nodiscard]] std::size_t columns() const noexcept { return scales_.size(); }
-  // Powers of two: the columns that R is of are so many times the scaled columns of the Gram matrix.
+  // Powers of two: R belongs to the scaled columns of the Gram matrix times these.
   [[nodiscard]] const std::vector<double>& scales() const noexcept { return scales_; }
-  // Rows are zero for columns whose distance from the span of those before them is below a quarter of what
-  // analyse_rank tells from rounding, relative to their lengths: they are passed over, and what their small
-  // remainder would say of later columns stays in these.
+  // A column whose distance from the span of those before it, relative to its length, is below a quarter of
+  // analyse_rank's tolerance has a zero row: it is skipped, and its small remainder is not subtracted from
+  // later columns.
   [[nodiscard]] const DoubleDouble& operator()(std::size_t i, std::size_t j) const noexcept {
     return r_[j * columns() + i];
   }
   // R rounded to doubles.
   [[nodiscard]] Matrix rounded() const;
-  // Qᵀ response, for the columns scaled.
+  // Qᵀ response, for the scaled columns.
   [[nodiscard]] const std::vector<DoubleDouble>& projection() const noexcept { return projection_; }
   // R⁻¹, upper triangular, column by column. R must have no zero on its diagonal.
   [[nodiscard]] std::vector<DoubleDouble> inverse() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mathematics of a block of rows, compiled once for every instruction set: included by gram_kernels.cpp
-// through foreach_target, so without an ordinary include guard.
+// The mathematics of a block of rows, compiled once for every instruction set. gram_kernels.cpp includes this
+// file through foreach_target, so it has no ordinary include guard.
 #if defined(PROOFMASS_GRAM_KERNELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_GRAM_KERNELS_INL
 #undef PROOFMASS_GRAM_KERNELS_INL
@@ -24,11 +24,11 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// What is left of a product when it is rounded to p: a b - p for p = fl(a b), or near it.
+// The rounding error of a product: a b - p for p = fl(a b), or for a p near it.
 #if HWY_NATIVE_FMA
 using Factor = V;
 HWY_INLINE Factor MakeFactor(V value) { return value; }
-// One addition of a product to high + low; see gram_kernels.hpp.
+// Adds one product to high + low; see gram_kernels.hpp.
 HWY_INLINE void AddProduct(Factor a, Factor b, V& high, V& low) {
   const V sum = hn::MulAdd(a, b, high);
   low = hn::Add(low, hn::MulSub(a, b, hn::Sub(sum, high)));
@@ -69,19 +69,19 @@ HWY_INLINE void AddExactly(V value, V& high, V& low) {
   high = sum;
 }
 
-// Sums of products of the columns of two lists, kTileRows x kTileColumns of them kept in registers. Where
-// there are 32 registers twice as many fit.
+// Sums of products of the columns of two lists, kTileRows x kTileColumns of them in registers. With 32
+// registers twice as many fit.
 constexpr std::size_t kTileRows = HWY_TARGET <= HWY_AVX3 ? 4 : 2;
 constexpr std::size_t kTileColumns = 2;
 constexpr std::size_t kTile = kTileRows * kTileColumns;
 
-// For factors below one, a constant that a lane's sum over a block can be added to without leaving
-// [2^e, 2^(e+1)]: 1.5 * 2^e with 2^e at least twice the rows of a lane.
+// For factors below one: a constant to which a lane's sum over a block can be added without leaving [2^e,
+// 2^(e+1)]. It is 1.5 * 2^e, with 2^e at least twice the rows of a lane.
 HWY_INLINE double Anchor(std::size_t rows) {
   return 1.5 * 2.0 * static_cast<double>(std::bit_ceil(rows / kLanes));
 }
 
-// The rows of a lane whose sum starts at one constant: more would cost digits.
+// Rows of a lane whose sum starts at one constant; more rows would cost digits.
 constexpr std::size_t kMostOfLane = 128;
 
 // Adds the sums over rows first … last - 1 of one block, padded with zeros to a multiple of kLanes, to
@@ -141,7 +141,7 @@ HWY_INLINE Range RangeOf(const double* column, std::size_t rows) {
   return range;
 }
 
-// The least power of two above a magnitude; 0 for 0 and for what is too small to be normal.
+// The least power of two above a magnitude; 0 for 0 and for magnitudes too small to be normal.
 HWY_INLINE double PowerAbove(double magnitude) {
   constexpr std::uint64_t exponent_bits = 0x7FF0000000000000;
   return 2.0 * std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) & exponent_bits);

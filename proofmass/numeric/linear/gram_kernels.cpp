@@ -13,7 +13,7 @@ namespace HWY_NAMESPACE {
 
 std::size_t Padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
-// The sums of one pass, tile by tile over the upper triangle, lane by lane.
+// The sums of one pass, tile by tile over the upper triangle, with one sum per lane.
 class TiledSums {
  public:
   explicit TiledSums(std::size_t columns)
@@ -27,8 +27,8 @@ class TiledSums {
     sums_.assign(tiles_.size() * 2 * kTile * kLanes, 0.0);
   }
 
-  // Adds `count` rows of a block, padded with zeros to a multiple of kLanes, and tells the sums to come their
-  // range.
+  // Adds `count` rows of a block, padded with zeros to a multiple of kLanes, and updates the ranges for the
+  // next sums.
   void add(const RowBlock& block, std::size_t count, GramMatrix& gram) {
     for (std::size_t c = 0; c < columns_; ++c) {
       const Range range = RangeOf(block.column(c), count);

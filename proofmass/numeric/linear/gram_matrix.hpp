@@ -10,20 +10,20 @@
 
 namespace proofmass {
 
-// Sums of products of the columns of a regression, the response last, over its rows: what least squares needs
-// to know of them, in memory for the columns alone. In about twice the working precision (gram_kernels.hpp),
-// so that forming AᵀA, which squares the condition number, costs no digits.
+// Sums of products of the columns of a regression (the response last) over its rows. They are all that least
+// squares needs, and their memory depends only on the number of columns. About twice the working precision
+// (gram_kernels.hpp), so that forming AᵀA, which squares the condition number, costs no digits.
 class GramMatrix {
  public:
   GramMatrix() = default;
-  // `scales`: RegressionRows::scales(), one a regressor.
+  // `scales`: RegressionRows::scales(), one per regressor.
   explicit GramMatrix(std::span<const double> scales);
 
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
   [[nodiscard]] std::size_t regressors() const noexcept { return scales_.size(); }
-  // What each column was multiplied by before its products were taken; the response by one.
+  // The factor of each column before its products were taken; 1 for the response.
   [[nodiscard]] std::span<const double> scales() const noexcept { return scales_; }
-  // Of the scaled columns, symmetric; index regressors() is the response.
+  // Sum of products of two scaled columns, symmetric. Index regressors() is the response.
   [[nodiscard]] const DoubleDouble& operator()(std::size_t i, std::size_t j) const noexcept {
     return products_[i < j ? place(i, j) : place(j, i)];
   }
@@ -31,14 +31,14 @@ class GramMatrix {
   [[nodiscard]] double least(std::size_t c) const noexcept { return least_[c]; }
   [[nodiscard]] double greatest(std::size_t c) const noexcept { return greatest_[c]; }
 
-  // That of the regressors named, in the order named, and the response.
+  // The Gram matrix of these regressors, in this order, and the response.
   [[nodiscard]] GramMatrix select(std::span<const std::size_t> regressors) const;
-  // Makes a regressor zero in every row.
+  // Sets a regressor to zero in every row.
   void clear(std::size_t regressor);
   // Adds sums over other rows of the same columns.
   void add(const GramMatrix& other);
 
-  // For those that sum.
+  // Access for the functions that form the sums.
   void add_rows(std::size_t rows) noexcept { rows_ += rows; }
   void add_product(std::size_t i, std::size_t j, const DoubleDouble& sum) noexcept {
     products_[place(i, j)] = products_[place(i, j)] + sum;
@@ -56,17 +56,17 @@ class GramMatrix {
   std::vector<double> least_, greatest_;
 };
 
-// One pass over the rows. They are summed in shares that depend on their number alone, and the shares are
-// added in order, so that the result does not depend on the number of threads.
+// Sums the rows in one pass. The rows are divided into portions that depend only on their number, and the
+// sums of the portions are added in order, so the result does not depend on the number of threads.
 [[nodiscard]] GramMatrix gram_matrix(const RegressionRows& rows);
 
 struct GramMatrices {
   GramMatrix plain;
-  GramMatrix weighted;  // that of WeightedRows
+  GramMatrix weighted;  // the sums of WeightedRows
 };
 
-// Of the rows as they are and by weights, in one pass. Throws std::invalid_argument unless there is one
-// weight a row, finite and not negative.
+// Sums with and without weights, in one pass. Throws std::invalid_argument unless there is one finite,
+// non-negative weight per row.
 [[nodiscard]] GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> weights);
 
 }  // namespace proofmass

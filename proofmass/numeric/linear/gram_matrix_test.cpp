@@ -30,7 +30,7 @@ Data random_data(std::size_t rows, std::size_t columns, RandomStream& random) {
   return data;
 }
 
-// Of the scaled columns i and j, one product after the other in twice the working precision.
+// The product sum of the scaled columns i and j, added one by one in twice the working precision.
 DoubleDouble plain_product(const Data& data, std::span<const double> scales, std::size_t i, std::size_t j) {
   const auto element = [&](std::size_t r, std::size_t c) {
     return c < data.design.columns() ? data.design(r, c) * scales[c] : data.y[r];
@@ -57,7 +57,8 @@ class GramKernels : public test::OnInstructionSet {};
 
 TEST_P(GramKernels, SumProductsInTwiceTheWorkingPrecision) {
   RandomStream random(3);
-  // Rows about the sizes of vectors, lanes' sums, blocks and shares; columns about those of tiles.
+  // Numbers of rows near those of vectors, lane sums, blocks and portions; numbers of columns near those of
+  // tiles.
   for (const std::size_t rows : {1U, 7U, 8U, 9U, 127U, 129U, 255U, 257U, 1000U, 8193U, 20000U}) {
     for (const std::size_t columns : {1U, 2U, 5U, 21U}) {
       const Data data = random_data(rows, columns, random);

@@ -41,7 +41,8 @@ bool full_rank(const MatrixXd& triangle) {
   MatrixXd unit = triangle;
   for (auto column : unit.colwise()) column.normalize();
   const VectorXd values = Eigen::JacobiSVD<MatrixXd>(unit).singularValues();
-  // Half: what analyse_rank lets pass by a hair must pass here too, whatever the rounding of another QR.
+  // Half the tolerance: a design that analyse_rank accepts narrowly must pass here too, despite the rounding
+  // of another QR.
   return values(values.size() - 1) > 0.5 * kRankTolerance * values(0);
 }
 
@@ -114,7 +115,8 @@ Solution solve_augmented(const Problem& problem, const VectorXd& f, const Vector
   return solution;
 }
 
-// Corrections shrink by about condition * 2^-53 a round; the loop ends when they no longer halve.
+// Corrections shrink by a factor of about condition * 2^-53 per round. The loop ends when they no longer
+// halve.
 Solution refined_solution(const Problem& problem) {
   Solution solution = solve_augmented(problem, problem.y, VectorXd::Zero(problem.design.cols()));
   double previous = std::numeric_limits<double>::infinity();

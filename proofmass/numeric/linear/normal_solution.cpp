@@ -15,8 +15,8 @@
 namespace proofmass {
 namespace {
 
-// Residuals whose sum of squares is below this share of the squares that cancel in it are computed row by
-// row. The sums are good to 1e-30 of those, so that 12 digits remain above.
+// When the sum of squared residuals is below this fraction of the terms that cancel in it, it is computed row
+// by row. The sums are accurate to 1e-30 of these terms, so at least 12 digits remain above the limit.
 constexpr double kCancelled = 0x1p-60;
 
 std::vector<double> for_scaled_regressors(std::span<const double> coefficients,
@@ -52,7 +52,7 @@ void require_solvable(const GramMatrix& gram, const GramFactor& factor) {
       throw std::invalid_argument("the design matrix or the response has an element that is not finite");
     }
   }
-  // Half: what analyse_rank lets pass by a hair must pass here too.
+  // Half the tolerance: a design that analyse_rank accepts narrowly must pass here too.
   if (!(scaled_condition(factor.rounded()) * 0.5 * kRankTolerance < 1.0)) {
     throw std::invalid_argument("the design matrix lacks full column rank");
   }
@@ -66,7 +66,7 @@ DoubleDouble scaled_covariance(const std::vector<DoubleDouble>& inverse, std::si
   return sum;
 }
 
-// (AᵀA)⁻¹ for the regressors as they are: `scales` one power of two each.
+// (AᵀA)⁻¹ for the unscaled regressors; `scales` holds one power of two for each.
 Matrix covariance_of(const std::vector<DoubleDouble>& inverse, std::span<const double> scales) {
   const std::size_t n = scales.size();
   Matrix result(n, n);
@@ -78,7 +78,7 @@ Matrix covariance_of(const std::vector<DoubleDouble>& inverse, std::span<const d
   return result;
 }
 
-// The constant regressor, if there is one, otherwise their number.
+// Index of the constant regressor; the number of regressors when there is none.
 std::size_t constant_regressor(const GramMatrix& gram) {
   std::size_t c = 0;
   while (c < gram.regressors() && gram.least(c) != gram.greatest(c)) ++c;

@@ -51,7 +51,7 @@ struct Data {
   std::vector<double> y;
 };
 
-// Polynomials of a variable about 1: the higher the degree, the worse conditioned.
+// Polynomials of a variable near 1: the condition gets worse with the degree.
 Data polynomial_data(std::size_t rows, std::size_t columns, double noise, RandomStream& random) {
   Data data{.design = Matrix(rows, columns), .y = {}};
   for (std::size_t r = 0; r < rows; ++r) {
@@ -101,7 +101,7 @@ TEST(NormalSolution, RanksAndConditionsAreThoseOfTheDesign) {
   RandomStream random(21);
   Data data = polynomial_data(400, 7, 1.0, random);
   for (std::size_t r = 0; r < 400; ++r) {
-    data.design(r, 3) = data.design(r, 1) - 2.0 * data.design(r, 2);  // but for rounding
+    data.design(r, 3) = data.design(r, 1) - 2.0 * data.design(r, 2);  // dependent except for rounding
     data.design(r, 5) = data.design(r, 4) * (1.0 + 1e-10 * random.normal());
   }
   const RankAnalysis expected = analyse_rank(data.design);
@@ -116,7 +116,7 @@ TEST(NormalSolution, RanksAndConditionsAreThoseOfTheDesign) {
   }
 }
 
-// A column passed over as dependent must not take what later columns have beside it.
+// A column skipped as dependent must not remove anything from later columns.
 TEST(NormalSolution, RoundingOfADependentColumnSaysNothingOfLaterOnes) {
   RandomStream random(22);
   Matrix design(100, 4);
@@ -138,7 +138,7 @@ TEST(NormalSolution, TellsTheResidualsOfAnExactFit) {
   const NormalSolution fit = solve(data.design, data.y);
   const LeastSquaresFit expected = solve_least_squares(data.design, data.y);
   EXPECT_LT(fit.rss,
-            3.0 * expected.rss);  // nothing but rounding: of the data there, of the coefficients here
+            3.0 * expected.rss);  // only rounding: of the data there, of the coefficients here
   EXPECT_LT(fit.rss, 500.0 * 1e-30);
   for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(fit.coefficients[c], 1.0, 1e-12);
 }

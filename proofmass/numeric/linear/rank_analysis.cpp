@@ -18,7 +18,7 @@ using Eigen::Index;
 
 Index signed_index(std::size_t n) { return static_cast<Index>(n); }
 
-// R of the QR decomposition of design * diag(scales), n x n, block of rows after block of rows.
+// R of the QR decomposition of design * diag(scales), n x n, block by block of rows.
 Eigen::MatrixXd triangular_factor(const Matrix& design, const Eigen::VectorXd& scales) {
   const std::size_t n = design.columns();
   const std::size_t height = std::max<std::size_t>(512, 4 * n);
@@ -35,7 +35,7 @@ Eigen::MatrixXd triangular_factor(const Matrix& design, const Eigen::VectorXd& s
 }
 
 Eigen::MatrixXd with_unit_columns(Eigen::MatrixXd matrix) {
-  for (auto column : matrix.colwise()) column.normalize();  // leaves a column of zeros as it is
+  for (auto column : matrix.colwise()) column.normalize();  // a column of zeros stays as it is
   return matrix;
 }
 
@@ -45,7 +45,7 @@ double condition_number(const Eigen::MatrixXd& matrix) {
   return values(0) / values(values.size() - 1);
 }
 
-// The columns of `matrix` named, with `candidate` last.
+// The named columns of `matrix`, followed by `candidate`.
 Eigen::MatrixXd with_candidate(const Eigen::MatrixXd& matrix, const std::vector<Index>& chosen,
                                Index candidate) {
   Eigen::MatrixXd result(matrix.rows(), signed_index(chosen.size()) + 1);
@@ -54,7 +54,7 @@ Eigen::MatrixXd with_candidate(const Eigen::MatrixXd& matrix, const std::vector<
   return result;
 }
 
-// The vanishing combination of a dependent column and the independent ones before it.
+// The combination of a dependent column and the independent ones before it that is zero.
 std::vector<double> null_vector(const Eigen::MatrixXd& unit, const std::vector<Index>& independent,
                                 Index dependent) {
   Eigen::VectorXd combination = Eigen::VectorXd::Zero(unit.cols());
@@ -67,10 +67,10 @@ std::vector<double> null_vector(const Eigen::MatrixXd& unit, const std::vector<I
   return {combination.begin(), combination.end()};
 }
 
-// Goes through the columns in order and keeps each that stays separable from those kept before.
+// Goes through the columns in order and keeps each one that is independent of those kept before.
 std::vector<Index> select_independent(const Eigen::MatrixXd& unit, double tolerance) {
   std::vector<Index> independent;
-  // Leaving columns out never makes a condition number larger, so that mostly one decides.
+  // Leaving columns out never increases a condition number, so one test usually decides for all columns.
   if (unit.rows() == unit.cols() && condition_number(unit) * tolerance < 1.0) {
     independent.resize(static_cast<std::size_t>(unit.cols()));
     std::iota(independent.begin(), independent.end(), Index{0});

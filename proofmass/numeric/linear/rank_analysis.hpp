@@ -10,33 +10,32 @@ namespace proofmass {
 
 class GramMatrix;
 
-// Singular values of a matrix with unit-length columns below this share of the largest count as zero. It is
-// far above what rounding in the elements can cause (a few units of 2^-52) and far below NIST Filip's
-// smallest (1e-10), so only dependence at rounding level is rank loss. It does not grow with the number of
-// rows: writing a record twice must not change what it can identify.
+// Relative to the largest, singular values below this tolerance count as zero (columns have unit length). The
+// tolerance is far above the effect of rounding in the elements (a few units of 2^-52) and far below NIST
+// Filip's smallest value (1e-10), so only dependence at rounding level is loss of rank. It does not grow with
+// the number of rows, because writing a record twice must not change which terms it can identify.
 inline constexpr double kRankTolerance = 256.0 * 0x1p-52;
 
-// How much of its column space a matrix really has.
+// The numerical rank of a matrix, and which of its columns are dependent.
 struct RankAnalysis {
   std::size_t rank = 0;
-  // Columns that are no combination of independent columns before them, ascending: order columns by
+  // Columns that are not a combination of independent columns before them, ascending. Order the columns by
   // preference.
   std::vector<std::size_t> independent;
-  // One vector of unit length for each other column, in order, over the unit-length columns: the combination
-  // of that column and of the independent ones before it that vanishes. Its support names what cannot be told
-  // apart.
+  // For each other column, in order, one vector of unit length over the unit-length columns: the combination
+  // of that column and the independent ones before it that is zero. Its nonzero elements are the aliased
+  // columns.
   std::vector<std::vector<double>> null_space;
   double condition_raw = 0.0;     // 2-norm condition number of the independent columns
   double condition_scaled = 0.0;  // the same with columns scaled to unit length
 };
 
-// Decides by the singular values of the triangular factor, which takes one pass over the rows and memory for
-// the columns alone. Throws std::invalid_argument when the design is empty or has an element that is not
-// finite.
+// Decides by the singular values of the triangular factor, in one pass over the rows with memory for the
+// columns only. Throws std::invalid_argument when the design is empty or has an element that is not finite.
 [[nodiscard]] RankAnalysis analyse_rank(const Matrix& design, double tolerance = kRankTolerance);
 
-// The same of the regressors that a Gram matrix is of, without another look at the rows: by R from its
-// Cholesky factor in twice the working precision, which is as good as the one from the rows.
+// The same for the regressors of a Gram matrix, without reading the rows again. Its Cholesky factor in twice
+// the working precision is as accurate as R from the rows.
 [[nodiscard]] RankAnalysis analyse_rank(const GramMatrix& gram);
 
 // Largest over smallest singular value with columns scaled to unit length; infinity when the smallest is

@@ -15,7 +15,7 @@ namespace {
 
 using Columns = std::vector<std::size_t>;
 
-// Columns 1, x, y of random numbers on very different scales, and room for more.
+// Columns 1, x, y of random numbers on very different scales; further columns stay zero.
 Matrix three_columns(std::size_t rows, std::size_t columns, std::uint64_t seed) {
   RandomStream random(seed);
   Matrix design(rows, columns);
@@ -31,7 +31,7 @@ RC_GTEST_PROP(RankAnalysis, KeepsEarlierColumnsAndNamesWhatVanishes, (std::uint6
   Matrix design = three_columns(700, 6, seed);
   RandomStream random(seed, 1);
   for (std::size_t r = 0; r < 700; ++r) {
-    design(r, 3) = 5.0 - 2e15 * design(r, 1);  // of columns 0 and 1; column 4 stays zero
+    design(r, 3) = 5.0 - 2e15 * design(r, 1);  // a combination of columns 0 and 1; column 4 stays zero
     design(r, 5) = random.normal();
   }
   const RankAnalysis analysis = analyse_rank(design);

@@ -10,8 +10,8 @@
 
 namespace proofmass {
 
-// A few rows as columns, one after the other: those that are multiplied stay in the first level of cache, all
-// of them in the second.
+// A block of rows stored by column. The columns being multiplied stay in the first-level cache, all of them
+// in the second.
 class RowBlock {
  public:
   static constexpr std::size_t kRows = 256;
@@ -19,19 +19,20 @@ class RowBlock {
   explicit RowBlock(std::size_t columns) : columns_(columns), data_(columns * kStride, 0.0) {}
 
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
-  // kRows values, the first on a cache line's start.
+  // kRows values; the first starts a cache line.
   [[nodiscard]] double* column(std::size_t c) noexcept { return data_.data() + c * kStride; }
   [[nodiscard]] const double* column(std::size_t c) const noexcept { return data_.data() + c * kStride; }
 
  private:
-  static constexpr std::size_t kStride = kRows + 8;  // columns at whole KiB would share the cache's sets
+  static constexpr std::size_t kStride =
+      kRows + 8;  // columns at multiples of whole KiB would share the cache's sets
 
   std::size_t columns_ = 0;
   AlignedColumn data_;
 };
 
-// The rows of a linear regression, made block by block when they are needed, so that nobody holds rows times
-// columns.
+// The rows of a linear regression. They are generated block by block when needed, so that the whole matrix is
+// never in memory.
 class RegressionRows {
  public:
   RegressionRows() = default;
@@ -40,18 +41,18 @@ class RegressionRows {
   virtual ~RegressionRows() = default;
 
   [[nodiscard]] virtual std::size_t rows() const noexcept = 0;
-  // Powers of two, one a regressor: what fill() writes is so many times the regressor, which keeps sums of
-  // squares within range.
+  // Powers of two, one per regressor. fill() writes the regressor times its power, which keeps sums of
+  // squares in range.
   [[nodiscard]] virtual std::span<const double> scales() const noexcept = 0;
   // Writes rows first … first + count - 1 to the beginning of the block's columns, the response after the
-  // regressors. Any thread may ask.
+  // regressors. Thread-safe.
   virtual void fill(std::size_t first, std::size_t count, RowBlock& block) const = 0;
 
   [[nodiscard]] std::size_t regressors() const noexcept { return scales().size(); }
 };
 
-// Those of a matrix in memory, which must outlive this, as must y. Throws std::invalid_argument when they
-// disagree in size or have an element that is not finite.
+// Rows of a matrix in memory. The matrix and y must outlive this object. Throws std::invalid_argument when
+// their sizes differ or an element is not finite.
 class MatrixRows final : public RegressionRows {
  public:
   MatrixRows(const Matrix& design, std::span<const double> y);
@@ -65,12 +66,13 @@ class MatrixRows final : public RegressionRows {
   std::vector<double> scales_;
 };
 
-// Throws std::invalid_argument unless there is one weight for each of so many rows, finite and not negative.
+// Throws std::invalid_argument unless there are `rows` weights, finite and not negative.
 void require_weights(std::span<const double> weights, std::size_t rows);
 
-// The rows of another, which must outlive this, times the square roots of weights: sums of squares over them
-// are weighted sums (Golub & Van Loan, Matrix Computations, 6.1). A weight of zero takes a row out. Throws
-// std::invalid_argument when a weight is negative or not finite, or there is not one for each row.
+// The rows of another object, which must outlive this one, times the square roots of weights: sums of squares
+// over them are weighted sums (Golub & Van Loan, Matrix Computations, 6.1). A row of weight zero has no
+// effect. Throws std::invalid_argument when a weight is negative or not finite, or there is not one for each
+// row.
 class WeightedRows final : public RegressionRows {
  public:
   WeightedRows(const RegressionRows& rows, std::vector<double> weights);

@@ -9,7 +9,7 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kLeastRows = 32 * RowBlock::kRows;  // a share worth another thread's attention
+constexpr std::size_t kLeastRows = 32 * RowBlock::kRows;  // smaller portions are not worth another thread
 constexpr std::size_t kMostShares = 64;
 
 std::size_t share_rows(std::size_t rows) noexcept {
@@ -27,7 +27,7 @@ void for_each_row_share(std::size_t rows,
   const std::size_t size = share_rows(rows);
   const auto run = [&](std::size_t share) { body(share, share * size, std::min(rows, (share + 1) * size)); };
   if (row_shares(rows) == 1) {
-    run(0);  // small work starts no threads
+    run(0);  // small problems start no threads
   } else {
     parallel_for(row_shares(rows), run);
   }

@@ -26,7 +26,7 @@ double product(const Matrix& a, std::size_t i, std::size_t j) {
   return sum;
 }
 
-// Adds the matrix in random blocks, each with rows of rubbish behind it that do not belong to it.
+// Adds the matrix in random blocks, each followed by unrelated rows that must be ignored.
 Matrix factor_by_blocks(const Matrix& a, RandomStream& random) {
   TriangularAccumulator accumulator(a.columns());
   for (std::size_t first = 0; first < a.rows();) {
@@ -54,14 +54,15 @@ RC_GTEST_PROP(TriangularAccumulator, HasTheGramMatrixOfAllRowsWhateverTheBlocks,
       const double size = std::sqrt(product(a, i, i) * product(a, j, j));
       RC_ASSERT(std::abs(product(r, i, j) - product(a, i, j)) <= 1e-14 * size);
       if (i > j) RC_ASSERT(r(i, j) == 0.0);
-      // R is unique up to the signs of its rows when the rows suffice; the last ones feel the condition.
+      // With enough rows R is unique up to the signs of its rows. The error of the last rows grows with the
+      // condition.
       if (a.rows() >= 4 * n) RC_ASSERT(std::abs(std::abs(r(i, j)) - std::abs(other(i, j))) <= 1e-12 * size);
     }
   }
 }
 
 TEST(TriangularAccumulator, RowsBeyondTheRankAreZero) {
-  // Leading columns far from dependent, else rounding in the last row would be magnified.
+  // Leading columns are far from dependent; otherwise rounding in the last row would be magnified.
   RandomStream random(1);
   Matrix a = random_matrix(2, 4, random);
   a(0, 0) = a(1, 1) = 10.0;

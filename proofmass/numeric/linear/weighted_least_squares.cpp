@@ -19,7 +19,8 @@ std::vector<double> row_factors(std::span<const double> weights) {
   return factors;
 }
 
-// A row taken out leaves no trace in the scaled problem, so its residual must come from the coefficients.
+// A row of weight zero does not appear in the scaled problem, so its residual is computed from the
+// coefficients.
 double plain_residual(const Matrix& design, std::span<const double> y, std::span<const double> coefficients,
                       std::size_t row) {
   double residual = y[row];

@@ -8,7 +8,7 @@
 namespace proofmass {
 namespace {
 
-// As many as two problems of training hold between them.
+// The number of columns that two training problems hold.
 using Spare = std::array<AlignedColumn, 4>;
 
 Spare& spare() {

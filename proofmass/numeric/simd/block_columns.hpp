@@ -7,15 +7,15 @@
 
 namespace proofmass {
 
-// Columns of all samples, a block of rows after the other, that a pass over the samples leaves for later
-// ones. Keeps nothing where that would be so much that reading it takes as long as computing it again. Memory
-// goes from one to the next of a thread, as training begins anew often and the system takes its time to hand
-// out pages.
+// Columns of all samples, stored block by block of rows, that a pass over the samples keeps for later passes.
+// Nothing is kept when the columns would be so large that reading them takes as long as computing them again.
+// A thread passes its memory on to the next object, because training starts often and the system takes time
+// to provide new pages.
 class BlockColumns {
  public:
-  // Rows of a block, and how far apart its columns stand: all of them stay in the second level of cache,
-  // those that are multiplied in the first, where a stride that is a power of two would send them all to a
-  // few sets.
+  // Rows of a block, and the distance between its columns. All columns stay in the second-level cache, those
+  // being multiplied in the first. A stride of a power of two would put them all into the same few cache
+  // sets.
   static constexpr std::size_t kRows = 256;
   static constexpr std::size_t kStride = kRows + 8;
 
@@ -28,9 +28,9 @@ class BlockColumns {
   ~BlockColumns();
 
   [[nodiscard]] bool keeps() const noexcept { return !storage_.empty(); }
-  // One block's columns, in values.
+  // Length of one block's columns, in values.
   [[nodiscard]] std::size_t block_size() const noexcept { return columns_ * kStride; }
-  // The columns of the block whose first row is `first`; those of `scratch` where nothing is kept.
+  // The columns of the block whose first row is `first`; `scratch` when nothing is kept.
   [[nodiscard]] double* block(std::size_t first, double* scratch) noexcept {
     return keeps() ? storage_.data() + first / kRows * block_size() : scratch;
   }
@@ -39,7 +39,7 @@ class BlockColumns {
   static constexpr std::size_t kMost = (std::size_t{3} << 20) / sizeof(double);
 
   std::size_t columns_ = 0;
-  AlignedColumn storage_;  // of at least the size needed, whatever it holds
+  AlignedColumn storage_;  // of at least the size needed; contents undefined
 };
 
 }  // namespace proofmass

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arithmetic in twice the working precision on pairs of doubles, by error-free transformations: Joldes,
 // Muller & Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic",
-// ACM Trans. Math. Softw. 44, 2017. Relative errors are a few units of 2^-106 while no part over- or
-// underflows.
+// ACM Trans. Math. Softw. 44, 2017. Relative errors are a few units of 2^-106, without overflow or underflow.
 #pragma once
 
 #include <cmath>
@@ -15,7 +14,7 @@ struct DoubleDouble {
   double low = 0.0;
 
   constexpr DoubleDouble() = default;
-  constexpr DoubleDouble(double value) : high(value) {}  // implicit: it widens
+  constexpr DoubleDouble(double value) : high(value) {}  // implicit: a conversion without loss
   constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
   // The nearest double.
   [[nodiscard]] constexpr double value() const noexcept { return high; }
@@ -28,7 +27,7 @@ struct DoubleDouble {
   return {sum, (a - (sum - shadow)) + (b - shadow)};
 }
 
-// Algorithm Fast2Sum (Dekker): the same where |a| >= |b|.
+// Algorithm Fast2Sum (Dekker): the same for |a| >= |b|.
 [[nodiscard]] constexpr DoubleDouble fast_exact_sum(double a, double b) noexcept {
   const double sum = a + b;
   return {sum, b - (sum - a)};
@@ -67,7 +66,7 @@ struct DoubleDouble {
   return fast_exact_sum(quotient, rest.high / b.high);
 }
 
-// One Newton step from the rounded root; of zero it is zero.
+// One Newton step from the rounded root. The root of zero is zero.
 [[nodiscard]] inline DoubleDouble sqrt(const DoubleDouble& a) noexcept {
   if (a.high == 0.0) return {};
   const double root = std::sqrt(a.high);
@@ -75,7 +74,7 @@ struct DoubleDouble {
   return fast_exact_sum(root, rest.high / (2.0 * root));
 }
 
-// Times a power of two, which rounds nothing while nothing under- or overflows.
+// Multiplication by a power of two, exact without overflow or underflow.
 [[nodiscard]] constexpr DoubleDouble scaled(const DoubleDouble& a, double power_of_two) noexcept {
   return {a.high * power_of_two, a.low * power_of_two};
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// tanh of a vector, compiled once for every instruction set: included through foreach_target, so without an
-// ordinary include guard. A fine value, its argument scaled beforehand, takes 12 multiplications, fused ones
-// counted once, with AVX-512 and its table 8 and two permutations; two bounds, a shift and one division;
-// additions have ports of their own. One that is not fine takes a multiplication less, and a permutation.
+// tanh of a vector, compiled once for every instruction set. The file is included through foreach_target, so
+// it has no ordinary include guard. A fine value (see below), whose argument was scaled before, takes 12
+// operations of the multiplication ports, fused ones counted once (with AVX-512 and its table 8, and two
+// permutations), two bounds, a shift and one division. Additions have ports of their own. A value that is not
+// fine takes one multiplication less, and a permutation.
 #if defined(PROOFMASS_HYPERBOLIC_TANGENT_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_HYPERBOLIC_TANGENT_INL
 #undef PROOFMASS_HYPERBOLIC_TANGENT_INL
@@ -23,11 +24,12 @@ namespace proofmass {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The fraction of a power of two, its steps, and 2^r - 1 for what a step leaves of the exponent.
+// The fractional part of the exponent has 16 steps; a polynomial gives 2^r - 1 for the remainder r of a step.
 #if HWY_TARGET <= HWY_AVX3
 constexpr int kFractionBits = 4;  // 16 steps, held in two registers
 
-// 2^(i/16), with i taken off its exponent's lowest bits for the integer addition to come.
+// 2^(i/16), with i subtracted from the lowest bits of its exponent in advance, because the integer addition
+// below adds it.
 HWY_INLINE V FractionPower(hn::Vec<hn::RebindToUnsigned<D>> bits) {
   alignas(64) static constexpr std::uint64_t kPower[16] = {
       0x3ff0000000000000, 0x3fefb5586cf9890f, 0x3fef72b83c7d517b, 0x3fef387a6e756238,
@@ -40,7 +42,7 @@ HWY_INLINE V FractionPower(hn::Vec<hn::RebindToUnsigned<D>> bits) {
   return V{_mm512_permutex2var_pd(low.raw, bits.raw, high.raw)};
 }
 
-// What rounding took from those powers, relative to them.
+// The relative rounding errors of those powers.
 HWY_INLINE V FractionRemainder(hn::Vec<hn::RebindToUnsigned<D>> bits) {
   alignas(64) static constexpr double kRemainder[16] = {0.0,
                                                         8.189317638195515e-17,
@@ -66,7 +68,7 @@ HWY_INLINE V FractionRemainder(hn::Vec<hn::RebindToUnsigned<D>> bits) {
 constexpr int kFractionBits = 0;
 #endif
 
-// One step of a computation on several vectors: step after step for all of them, so that no step waits for
+// One step of a computation on several vectors. Each step is done for all vectors, so that no step waits for
 // the one before.
 template <std::size_t kVectors, typename Step>
 HWY_INLINE void Each(const Step& step) {
@@ -74,8 +76,8 @@ HWY_INLINE void Each(const Step& step) {
   for (std::size_t i = 0; i < kVectors; ++i) step(i);
 }
 
-// Of (2^r - 1) / r for |r| <= 2^-(kFractionBits + 1), the highest first: Chebyshev interpolation, relative
-// error 5e-17, with a coefficient less 1.5e-15.
+// Coefficients of (2^r - 1) / r for |r| <= 2^-(kFractionBits + 1), the highest first, by Chebyshev
+// interpolation. Relative error 5e-17, with one coefficient less 1.5e-15.
 #if HWY_TARGET <= HWY_AVX3
 inline constexpr std::array kFineCoefficients{
     1.5252907746886827e-05, 0.0001540375624545771, 0.0013333558145579112, 0.009618129106525682,
@@ -94,7 +96,7 @@ inline constexpr std::array kCoarseCoefficients{
     0.24022650695910075,    0.6931471805599462};
 #endif
 
-// 2^r - 1 by those coefficients, in place.
+// 2^r - 1 by these coefficients, in place.
 template <std::size_t kCoefficients, std::size_t kVectors>
 HWY_INLINE void PowerLessOne(const std::array<double, kCoefficients>& coefficients, V (&r)[kVectors]) {
   V p[kVectors];
@@ -106,9 +108,10 @@ HWY_INLINE void PowerLessOne(const std::array<double, kCoefficients>& coefficien
   Each<kVectors>([&](std::size_t i) HWY_ATTR { r[i] = hn::Mul(p[i], r[i]); });
 }
 
-// tanh of half the natural logarithm of 2^u, in place: m / (m + 2) with m = 2^u - 1, a table's power times a
-// polynomial's. Fine: right to a few units in the last place for every u, as the last digits of training hang
-// on it. Otherwise to 4e-16 absolute, which is as good near one, and 4.5e-15 relative.
+// tanh of half the natural logarithm of 2^u, in place: m / (m + 2) with m = 2^u - 1, the table's power times
+// the polynomial. Fine: accurate to a few units in the last place for every u, because the last digits of
+// training depend on it. Otherwise the error is 4e-16 absolute, which is equally good near one, and 4.5e-15
+// relative.
 template <bool kFine, std::size_t kVectors>
 HWY_INLINE void TanhOfPower(V (&u)[kVectors]) {
   const auto constant = [](double c) HWY_ATTR { return hn::Set(kD, c); };
@@ -139,13 +142,13 @@ HWY_INLINE void TanhOfPower(V (&u)[kVectors]) {
                      HWY_ATTR { r[i] = hn::MulAdd(scale[i], r[i], hn::Sub(scale[i], constant(1.0))); });
   Each<kVectors>([&](std::size_t i) HWY_ATTR {
     const V tanh = hn::Div(r[i], hn::Add(r[i], constant(2.0)));
-    // Min and Max pass on a second operand that is not a number, but not where Highway emulates them.
+    // Min and Max return a second operand that is NaN, except where Highway emulates them.
     constexpr bool kEmulated = HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128;
     u[i] = kEmulated ? hn::IfThenElse(hn::IsNaN(u[i]), u[i], tanh) : tanh;
   });
 }
 
-// What z of tanh z must be multiplied by to be an exponent of two: 2 / ln 2.
+// The factor of z in tanh z that makes it an exponent of two: 2 / ln 2.
 constexpr double kPowerOfTwo = 2.8853900817779268;
 
 // tanh, in place.

@@ -5,8 +5,8 @@
 
 namespace proofmass {
 
-// Working storage of a kernel's pass over samples, aligned to cache lines, kept by each thread for its next
-// pass. What it holds is undefined; a second call takes back what the first gave.
+// Scratch memory for a kernel's pass over samples, aligned to cache lines. Each thread keeps it for its next
+// pass. Its contents are undefined; a second call invalidates the memory of the first.
 [[nodiscard]] double* kernel_scratch(std::size_t size);
 
 }  // namespace proofmass

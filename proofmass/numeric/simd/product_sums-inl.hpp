@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of products of columns in register tiles, compiled once for every instruction set: included through
-// foreach_target, so without an ordinary include guard.
+// Sums of products of columns in register tiles, compiled once for every instruction set. The file is
+// included through foreach_target, so it has no ordinary include guard.
 #if defined(PROOFMASS_PRODUCT_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PRODUCT_SUMS_INL
 #undef PROOFMASS_PRODUCT_SUMS_INL
@@ -28,13 +28,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::size_t kBlockRows = BlockColumns::kRows;
 constexpr std::size_t kStride = BlockColumns::kStride;
 
-// A left column, or a pair of them whose product is meant.
+// A left column, or a pair of left columns whose product is used.
 using Factors = std::array<const double*, 2>;
 
-// acc[i][j] += sum of a_i b_i c_j, lane by lane, (a_i, b_i) the left columns and c_j the right ones, the last
-// of which is one throughout with kOnes: kRows x kColumns sums in registers, kRows * kColumns multiplications
-// for every vector of rows, with kPairs kRows more. Products with one are additions, which have ports of
-// their own. With `first` acc is set, whatever it held.
+// acc[i][j] += sum of a_i b_i c_j in each lane, with (a_i, b_i) the left columns and c_j the right ones. With
+// kOnes the last right column is all ones. kRows x kColumns sums stay in registers. Every vector of rows
+// takes kRows * kColumns multiplications, with kPairs kRows more. Products with one are additions, which have
+// ports of their own. With `first`, acc is overwritten.
 template <bool kPairs, bool kOnes, std::size_t kRows, std::size_t kColumns>
 HWY_NOINLINE void ProductTile(const Factors* left, const double* right, std::size_t rows, bool first,
                               double* HWY_RESTRICT acc) {
@@ -77,15 +77,15 @@ constexpr std::array<TileKernel*, sizeof...(kLess)> TilesByColumns(std::index_se
   return {&ProductTile<kPairs, kOnes, kRows, kLess + 1>...};
 }
 
-// Sums over all samples of products of pairs of columns (left) with single columns (right, one after the
-// other in a block), block after block.
+// Sums over all samples of products of (pairs of) left columns with single right columns, block after block.
+// The right columns of a block are contiguous.
 class ProductSums {
  public:
   struct Layout {
     std::size_t rows = 0;     // left columns, or pairs of them
     std::size_t columns = 0;  // right columns
     bool pairs = false;       // left columns are pairs
-    bool ones = false;        // a column of ones follows the right ones, which is nowhere in memory
+    bool ones = false;        // the right columns are followed by a column of ones, which is not stored
     bool upper = false;       // only elements of the upper triangle are wanted
   };
 
@@ -95,10 +95,10 @@ class ProductSums {
   std::vector<Factors> left;
   const double* right = nullptr;
 
-  // In values; whole cache lines.
+  // In values; a multiple of cache lines.
   [[nodiscard]] std::size_t storage() const { return (left.size() * columns_ * (kLanes + 1) + 7) / 8 * 8; }
 
-  // Storage for the sums, whatever it holds.
+  // Memory for the sums; its contents do not matter.
   void start(double* sums) {
     totals_ = sums + left.size() * columns_ * kLanes;
     first_ = true;
@@ -122,7 +122,7 @@ class ProductSums {
     first_ = false;
   }
 
-  // Sums up the lanes: after the last of one block or more, before any total is asked for.
+  // Adds up the lanes. Call after the last of at least one block, before any total is read.
   void finish() {
     for (const Tile& tile : tiles_) {
       const double* sums = tile.sums;
@@ -134,17 +134,17 @@ class ProductSums {
     }
   }
 
-  // The sum for element (i, j); that with ones is the last of a row.
+  // The sum for element (i, j). The sum with the column of ones is the last of a row.
   [[nodiscard]] double total(std::size_t i, std::size_t j) const { return totals_[i * columns_ + j]; }
 
  private:
-  // Sixteen registers hold 2 x 5 sums with what feeds them, thirty-two 2 x 10.
+  // Sixteen registers hold 2 x 5 sums and their operands, thirty-two 2 x 10.
   static constexpr std::size_t kMostColumns = HWY_TARGET <= HWY_AVX3 ? 10 : 5;
 
   struct Tile {
     std::size_t row, column, tall, wide;
     TileKernel* kernel;
-    double* sums;  // of each lane
+    double* sums;  // one per lane
   };
 
   [[nodiscard]] TileKernel* kernel(std::size_t tall, std::size_t column, std::size_t wide) const {
@@ -162,13 +162,13 @@ class ProductSums {
   }
 
   Layout layout_;
-  std::size_t columns_;  // with that of ones
+  std::size_t columns_;  // including the column of ones
   std::vector<Tile> tiles_;
-  bool first_ = true;         // no block is added yet
-  double* totals_ = nullptr;  // of all lanes
+  bool first_ = true;         // no block has been added yet
+  double* totals_ = nullptr;  // over all lanes
 };
 
-// Scratch memory for the sums of a pass and what else it needs, which is returned.
+// Scratch memory for the sums of a pass; returns the part that is left for other use.
 template <typename... Sums>
 double* LayOut(std::size_t more, Sums&... sums) {
   double* next = kernel_scratch((sums.storage() + ...) + more);
@@ -176,7 +176,7 @@ double* LayOut(std::size_t more, Sums&... sums) {
   return next;
 }
 
-// Calls body with the first row of each block and its rows.
+// Calls body with the first row and the number of rows of each block.
 template <typename Body>
 HWY_INLINE void ForEachBlock(const Samples& samples, const Body& body) {
   for (std::size_t first = 0; first < samples.padded_rows(); first += kBlockRows) {

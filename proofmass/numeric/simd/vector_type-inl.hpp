@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vector that kernels over samples compute with, for every instruction set: included through
-// foreach_target, so without an ordinary include guard.
+// The vector type of the kernels over samples, for every instruction set. The file is included through
+// foreach_target, so it has no ordinary include guard.
 #if defined(PROOFMASS_VECTOR_TYPE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_VECTOR_TYPE_INL
 #undef PROOFMASS_VECTOR_TYPE_INL
@@ -25,8 +25,7 @@ using V = hn::Vec<D>;
 constexpr D kD{};
 constexpr std::size_t kLanes = std::min<std::size_t>(HWY_LANES(double), Samples::kRowMultiple);
 
-// Keeps a value that is used twice from being loaded twice, as GCC likes to do: loads are as scarce as
-// products.
+// Prevents GCC from loading a value twice that is used twice: loads are as limited as products.
 HWY_INLINE V InRegister(V value) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
   asm("" : "+v"(value.raw));
@@ -34,7 +33,7 @@ HWY_INLINE V InRegister(V value) {
   return value;
 }
 
-// The value, not needed before `first` is known: keeps what is computed from it from waiting in a register.
+// Makes the value depend on `first`, so that results computed from it do not occupy a register too early.
 HWY_INLINE V After([[maybe_unused]] V first, V value) {
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
   asm("" : "+v"(value.raw) : "v"(first.raw));
@@ -42,8 +41,9 @@ HWY_INLINE V After([[maybe_unused]] V first, V value) {
   return value;
 }
 
-// Hides where a pointer comes from, so that what it points to is loaded where it is used, not kept in
-// registers that others need and from there on the stack: stores are dearer than loads.
+// Hides the origin of a pointer from the compiler, so that values are loaded where they are used. Otherwise
+// they would stay in registers that others need, and be spilled to the stack: stores are more expensive than
+// loads.
 HWY_INLINE const double* Fresh(const double* pointer) {
 #if HWY_ARCH_X86
   asm("" : "+r"(pointer));
