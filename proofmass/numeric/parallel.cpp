@@ -11,7 +11,7 @@
 namespace proofmass {
 namespace {
 
-// The exception of the lowest index among those that bodies threw.
+// The exception of the lowest index among those thrown.
 class FirstFailure {
  public:
   void record(std::size_t index, std::exception_ptr error) {
@@ -30,9 +30,9 @@ class FirstFailure {
   std::exception_ptr error_;
 };
 
-// One call of parallel_for. What the caller wrote must be visible to the bodies, and what they wrote to the
-// caller. oneTBB orders them so already; the counter says it where a sanitizer that cannot see into the
-// library can read it.
+// One call of parallel_for. Writes of the caller must be visible to the bodies, and writes of the bodies to
+// the caller. oneTBB guarantees this. The counter repeats the guarantee for sanitizers that cannot see into
+// the library.
 struct Loop {
   const std::function<void(std::size_t)>& body;
   FirstFailure failure{};

@@ -7,9 +7,9 @@
 
 namespace proofmass {
 
-// While it lives, parallel work uses at most `threads` threads, the caller's among them; 0 means one for
-// every core. More threads than cores are allowed. Of several limits alive at once the lowest holds, across
-// the whole process.
+// While this object exists, parallel work uses at most `threads` threads, including the caller's; 0 means one
+// per core. More threads than cores are allowed. When several limits exist at once, the lowest holds for the
+// whole process.
 class ThreadLimit {
  public:
   explicit ThreadLimit(std::size_t threads);
@@ -24,9 +24,9 @@ class ThreadLimit {
   std::unique_ptr<Control> control_;
 };
 
-// Calls body(0) … body(n - 1) once each, in any order and on any thread, and returns when all have ended.
-// What a body writes must be its own index's alone; then results cannot depend on the number of threads. When
-// bodies throw, the others still run, and the exception of the lowest index is thrown. May be nested.
+// Calls body(0) … body(n - 1) once each, in any order and on any thread, and returns when all have ended. If
+// a body writes only data of its own index, the results cannot depend on the number of threads. When bodies
+// throw, the others still run, and then the exception of the lowest index is thrown. Calls may be nested.
 void parallel_for(std::size_t n, const std::function<void(std::size_t)>& body);
 
 }  // namespace proofmass

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only file that knows oneTBB. Debian's library is not built for the thread sanitizer, which therefore
-// reports races inside it; this file is built without that sanitizer, and parallel.cpp states the orderings
-// that hold.
+// The only file that uses oneTBB. Debian's library is not built for the thread sanitizer, which therefore
+// reports false races inside it. This file is built without that sanitizer, and parallel.cpp states the
+// orderings that hold.
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>

@@ -23,8 +23,9 @@ std::uint64_t mix(std::uint64_t z) noexcept {
   return z ^ (z >> 31U);
 }
 
-// log x for finite x > 0 from 2 artanh((m - 1)/(m + 1)) with m in [sqrt(1/2), sqrt(2)): only exactly rounded
-// operations, so that draws do not depend on the machine's mathematical library. Good to about 2 ulp.
+// log x for finite x > 0 from 2 artanh((m - 1)/(m + 1)) with m in [sqrt(1/2), sqrt(2)). It uses exactly
+// rounded operations only, so draws do not depend on the machine's mathematical library. Accurate to about 2
+// ulp.
 double portable_log(double x) noexcept {
   int exponent = 0;
   double m = std::frexp(x, &exponent);
@@ -66,7 +67,7 @@ double RandomStream::uniform() noexcept { return static_cast<double>(bits() >> 1
 
 double RandomStream::uniform(double low, double high) noexcept {
   const double value = low + (high - low) * uniform();
-  // Rounding can reach the excluded end.
+  // Rounding can give the excluded end of the interval.
   return value < high ? value : low;
 }
 

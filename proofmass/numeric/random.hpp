@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counter-based random numbers: the value of a draw depends on (seed, stream, index of the draw) alone, so
-// that the number of threads cannot change a result.
+// Counter-based random numbers. A draw depends only on (seed, stream, index of the draw), so the number of
+// threads cannot change a result.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ namespace proofmass {
                                                         const std::array<std::uint64_t, 2>& key) noexcept;
 
 // An independent stream of draws. Streams with different (seed, stream) pairs are statistically independent
-// (Philox 4x64-10; Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11): the key
-// is (seed, stream), the counter the number of the block. Normal and Student draws use no library function
-// whose last bit depends on the machine (log is computed here), so they are the same everywhere; Student
-// draws with fewer than two degrees of freedom, which need exp, are the exception.
+// (Philox 4x64-10; Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11). The key is (seed,
+// stream), the counter the number of the block. Normal and Student draws use no library function whose last
+// bit depends on the machine (log is computed here), so they are the same everywhere. The exception are
+// Student draws with fewer than two degrees of freedom, which need exp.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed, std::uint64_t stream = 0) noexcept;
@@ -38,15 +38,15 @@ class RandomStream {
   std::uint64_t seed_;
   std::uint64_t stream_;
   std::uint64_t block_ = 0;  // blocks of four words drawn so far
-  unsigned used_ = 4;        // words of the current block already given out
+  unsigned used_ = 4;        // words of the current block already used
   std::array<std::uint64_t, 4> words_{};
   double spare_ = 0.0;  // second value of the last normal pair
   bool has_spare_ = false;
 };
 
-// A stream number for a labelled purpose, so that unrelated uses of one seed do not share draws:
+// A stream number for a named purpose, so that different uses of one seed do not share draws:
 // stream_id("split"), stream_id("swarm", particle). FNV-1a of the purpose, mixed with the index by
-// splitmix64's finaliser: a bijection of the index, so two indices of one purpose never collide.
+// splitmix64's finaliser, which is a bijection of the index: two indices of one purpose never collide.
 [[nodiscard]] std::uint64_t stream_id(const char* purpose, std::uint64_t index = 0) noexcept;
 
 // A uniformly random permutation of 0 … n-1 (Fisher-Yates).

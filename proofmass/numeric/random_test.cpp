@@ -27,8 +27,8 @@ double mean_power(const std::vector<double>& values, int power) {
   return sum / static_cast<double>(values.size());
 }
 
-// sqrt(n) times the Kolmogorov-Smirnov distance; above 1.95 with probability 0.001 when the distribution is
-// right.
+// sqrt(n) times the Kolmogorov-Smirnov distance. If the distribution is correct, it exceeds 1.95 with
+// probability 0.001.
 double kolmogorov(std::vector<double> values, const std::function<double(double)>& cdf) {
   std::sort(values.begin(), values.end());
   const auto n = static_cast<double>(values.size());
@@ -85,7 +85,7 @@ TEST(Random, NormalIsNormal) {
   EXPECT_LT(std::abs(mean_power(values, 4) - 3.0) * root, 4.0 * std::sqrt(96.0));  // of x^4, 96
 }
 
-// Both halves of a polar pair are used; they must not be related.
+// Both numbers of a polar pair are used; they must be independent.
 TEST(Random, SuccessiveNormalsAreUncorrelated) {
   RandomStream random(3);
   double products = 0.0;
@@ -150,8 +150,8 @@ TEST(Random, SameSeedSameDrawsAndOtherStreamsOtherDraws) {
   EXPECT_LT(std::abs(with_seed) / root, 4.0);
 }
 
-// The first draw of many neighbouring streams is itself a good sequence: one stream a row is how records are
-// made.
+// The first draws of many neighbouring streams must themselves be a good sequence, because records use one
+// stream per row.
 TEST(Random, NeighbouringStreamsAreIndependent) {
   std::uint64_t row = 0;
   const auto values = sample([&] { return RandomStream(9, stream_id("row", row++)).uniform(); });
@@ -180,7 +180,7 @@ TEST(Random, IndexIsUniform) {
   EXPECT_LT(chi_square, 22.46);  // 99.9 % point with 6 degrees of freedom
 }
 
-// Of 8 words scaled to 5 values, three values get two words unless the surplus is rejected.
+// Of 8 words scaled to 5 values, three values would get two words each unless the surplus is rejected.
 TEST(Random, LargeIndexIsUnbiased) {
   RandomStream random(10);
   constexpr std::size_t large = std::size_t{5} << 61U;

@@ -8,7 +8,7 @@
 
 namespace proofmass {
 
-// Storage whose first element starts a cache line, for vector loads.
+// Memory whose first element starts a cache line, for vector loads.
 template <typename T>
 struct CacheAligned {
   using value_type = T;
@@ -22,8 +22,8 @@ struct CacheAligned {
 };
 using AlignedColumn = std::vector<double, CacheAligned<double>>;
 
-// Inputs and target of a regression as columns, padded with zero rows to a whole number of the widest vectors
-// so that kernels need no special case for the last rows. `mask` is 1 for rows and 0 for padding.
+// Inputs and target of a regression as columns. They are padded with zero rows to a multiple of the widest
+// vectors, so that kernels need no special case for the last rows. `mask` is 1 for rows and 0 for padding.
 class Samples {
  public:
   static constexpr std::size_t kRowMultiple = 8;
@@ -49,7 +49,7 @@ class Samples {
   AlignedColumn mask_;
 };
 
-// The root mean square that a sum of squares over the samples comes to.
+// The root mean square that belongs to a sum of squares over the samples.
 [[nodiscard]] double root_mean(double sum_of_squares, const Samples& samples);
 
 }  // namespace proofmass

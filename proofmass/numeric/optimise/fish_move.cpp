@@ -16,7 +16,7 @@ double distance(const Position& a, const Position& b) {
   return std::sqrt(sum);
 }
 
-// A stroke from `from` towards `to`, at most as far as `to`.
+// A move from `from` towards `to`, at most as far as `to`.
 Position towards(const Position& from, const Position& to, double stroke) {
   const double whole = distance(from, to);
   const double share = whole > stroke ? stroke / whole : 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one artificial fish does: look, swarm, follow, prey (Li, Shao & Qian 2002).
+// The behaviour of one artificial fish: swarm, follow, prey (Li, Shao & Qian 2002).
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace proofmass {
 
-// A position and what it is worth.
+// A position and its value.
 struct FishPlace {
   std::vector<double> position;
   double value = std::numeric_limits<double>::infinity();
@@ -19,33 +19,34 @@ struct FishPlace {
 
 struct Fish {
   FishPlace place;
-  FishPlace best;  // the best it has seen on its last move, looked at or swum to
+  FishPlace best;  // the best position looked at or moved to in its last move
   RandomStream random;
   std::size_t evaluations = 0;
 };
 
-// One move of a school: where each fish would go from the places that all have now.
+// One move of a school: computes where each fish would go, from the present positions of all fish.
 class FishMove {
  public:
-  // Keeps references. Visual and step are those of this move.
+  // Keeps references. Visual and step are the values for this move.
   FishMove(const FishObjective& objective, const FishSettings& settings, const std::vector<FishPlace>& school,
            double visual, double step)
       : objective_(objective), settings_(settings), school_(school), visual_(visual), step_(step) {}
 
-  // Moves fish i of the school to the better of where swarming and following lead.
+  // Moves fish i to the better of the results of swarming and following.
   void operator()(Fish& fish, std::size_t i) const;
   // Evaluates a position and remembers it if it is the best of this move.
   [[nodiscard]] FishPlace look(Fish& fish, std::vector<double> position) const;
 
  private:
   [[nodiscard]] std::vector<std::size_t> in_sight(std::size_t i) const;
-  // Whether more than its share of the school can be seen from a place (Li's n_f / N against delta).
+  // Whether more than the crowd factor's fraction of the school is in sight of a position (Li's n_f / N
+  // against delta).
   [[nodiscard]] bool crowded(const std::vector<double>& place) const;
   [[nodiscard]] FishPlace swarm(Fish& fish, const std::vector<std::size_t>& seen) const;
   [[nodiscard]] FishPlace follow(Fish& fish, const std::vector<std::size_t>& seen) const;
-  // A stroke towards a better place that is not crowded; prey otherwise.
+  // A move towards a better position that is not crowded; otherwise prey.
   [[nodiscard]] FishPlace go(Fish& fish, const FishPlace& target) const;
-  // A stroke towards the first better point seen; a random stroke when there is none.
+  // A move towards the first better point seen; a random move when there is none.
   [[nodiscard]] FishPlace prey(Fish& fish) const;
 
   const FishObjective& objective_;

@@ -64,7 +64,7 @@ class School {
     step_ = settings_.step * factor;
   }
 
-  // All fish from the places that they have now to new ones.
+  // Moves all fish at once, from their present positions.
   void move() {
     std::vector<FishPlace> before;
     for (const Fish& fish : fish_) before.push_back(fish.place);
@@ -72,7 +72,7 @@ class School {
     parallel_for(fish_.size(), [&](std::size_t i) { move(fish_[i], i); });
   }
 
-  // Renews the bulletin and the histories.
+  // Updates the bulletin and the histories.
   void record() {
     double sum = 0.0;
     double count = 0.0;

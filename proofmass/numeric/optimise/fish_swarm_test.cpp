@@ -69,7 +69,7 @@ TEST(FishSwarm, SameBitsForAnyThreads) {
   EXPECT_EQ(one.evaluations, three.evaluations);
 }
 
-// Whatever any fish ever saw, looked at on the way or swum to.
+// The best of all positions that any fish looked at or moved to.
 RC_GTEST_PROP(FishSwarm, BulletinIsTheLeastOfAllThatWasSeen, (std::uint64_t seed)) {
   std::mutex mutex;
   double least = std::numeric_limits<double>::infinity();
@@ -89,7 +89,7 @@ RC_GTEST_PROP(FishSwarm, BulletinIsTheLeastOfAllThatWasSeen, (std::uint64_t seed
   RC_ASSERT(std::is_sorted(result.history.rbegin(), result.history.rend()));
 }
 
-// Steps of 2^-20 survive the shift and the scaling exactly, so that no comparison can change.
+// Steps of 2^-20 are exact after the shift and the scaling, so no comparison can change.
 RC_GTEST_PROP(FishSwarm, CourseIgnoresOffsetScaleAndSign, (std::uint64_t seed)) {
   const auto stepped = [](std::span<const double> x) { return std::round(rastrigin(x) * 0x1p20) * 0x1p-20; };
   const auto run = [seed](const FishObjective& objective) {
@@ -111,7 +111,8 @@ TEST(FishSwarm, NotANumberIsWorseThanAnything) {
   EXPECT_EQ(lost.best.size(), 2U);
 }
 
-// A place is crowded when more than its share of the school sees it: with none allowed all fish prey.
+// A place is crowded when more than this fraction of the school sees it. With a fraction of zero all fish
+// prey.
 TEST(FishSwarm, CrowdFactorKeepsFishApart) {
   const auto spread = [](double crowd_factor) {
     FishSettings choice = settings(30);

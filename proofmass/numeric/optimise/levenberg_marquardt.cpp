@@ -20,10 +20,10 @@ using Vector = Eigen::VectorXd;
 
 std::span<const double> view(const Vector& v) { return {v.data(), static_cast<std::size_t>(v.size())}; }
 
-// Polishing is for reductions, and rises, of the sum of squares up to this share of it.
+// Polishing stops when it changes the sum of squares by more than this fraction.
 constexpr double kPolishable = 1e-3;
 
-// The state of one minimisation: the iteration is step() until it says why to stop.
+// The state of one minimisation. The iteration calls step() until it returns a reason to stop.
 class Minimiser {
  public:
   Minimiser(std::unique_ptr<LinearisedSum> problem, std::span<const double> start,
@@ -94,13 +94,13 @@ class Minimiser {
     problem_->linearise();
     if (!options_.scaled) return;
     scale_ = (options_.scale_memory * scale_).cwiseMax(problem_->diagonal());
-    // A parameter without influence would leave the damped matrix singular.
+    // A parameter without influence would make the damped matrix singular.
     const double floor =
         std::max(scale_.maxCoeff() * problem_->least_scale(), std::numeric_limits<double>::min());
     scale_ = scale_.cwiseMax(floor);
   }
 
-  // Raises the damping until a step reduces the sum of squares and takes it; false when none does.
+  // Raises the damping until a step reduces the sum of squares, and takes the step. False when none does.
   bool descend() {
     double raise = 2.0;
     const auto raise_damping = [&] {
@@ -117,8 +117,8 @@ class Minimiser {
     return false;
   }
 
-  // Adds half the geodesic acceleration to the step; false when it is too large for the expansion to hold
-  // (Transtrum & Sethna 2012, eq. (15) with alpha = 0.75).
+  // Adds half the geodesic acceleration to the step. False when the acceleration is too large for the
+  // expansion to be valid (Transtrum & Sethna 2012, eq. (15) with alpha = 0.75).
   bool accelerate(const Vector& velocity, Vector& step) {
     const std::optional<Vector> acceleration = problem_->acceleration(velocity);
     if (!acceleration) return true;
@@ -168,9 +168,9 @@ class Minimiser {
     return (columns > 0.0).select(products / columns, 0.0).maxCoeff() / std::sqrt(result_.sum_of_squares);
   }
 
-  // Gauss-Newton steps judged by their own length, which falls by a constant factor near a minimum until
-  // rounding is all that is left of it (the natural monotonicity test of Deuflhard 2004, section 4.3). Two
-  // steps are given to shrink: the first may trade one direction's error for another's.
+  // Gauss-Newton steps judged by their own length. Near a minimum it falls by a constant factor until only
+  // rounding is left (the natural monotonicity test of Deuflhard 2004, section 4.3). Two steps are allowed
+  // for it to shrink, because the first may exchange the error of one direction for that of another.
   void polish(Termination& termination) {
     double previous = std::numeric_limits<double>::infinity();
     double before_that = previous;

@@ -19,7 +19,7 @@ namespace {
 
 using Vector = std::vector<double>;
 
-// Residuals with an exact Jacobian (residuals x parameters) as a sum of squares that counts what is asked.
+// Residuals with an exact Jacobian (residuals x parameters) as a sum of squares that counts its calls.
 class Residuals final : public SumOfSquares {
  public:
   using Model = std::function<void(std::span<const double> x, Vector& r, Matrix& jacobian)>;
@@ -111,7 +111,7 @@ Residuals powell_singular() {
           }};
 }
 
-// One row a residual: three random columns; the last residual, 1, cannot be reduced.
+// One row per residual, three random columns. The last residual, 1, cannot be reduced.
 Residuals linear() {
   return {3, 11, [](std::span<const double> x, Vector& r, Matrix& j) {
             RandomStream random(9);
@@ -186,7 +186,7 @@ TEST_P(LevenbergMarquardt, SolvesALinearProblemInAFewSteps) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(result.point[k], static_cast<double>(k + 1), 1e-7);
   EXPECT_NEAR(result.sum_of_squares, 1.0, 1e-14);
   EXPECT_LE(result.iterations, 12U);
-  // Nothing but rounding is left to gain; that is no proof of optimality.
+  // Only rounding is left to gain, which is no proof of optimality.
   EXPECT_EQ(result.termination.cause, Cause::stalled);
 }
 
@@ -218,7 +218,7 @@ double thurber(double x, std::span<const double> b, Vector& derivatives) {
   return above / below;
 }
 
-// Damping by the identity knows nothing of parameters of 5e-4 beside 240, and creeps.
+// Damping by the identity ignores that the parameters are 5e-4 and 240 in size, and converges slowly.
 class ScaledLevenbergMarquardt : public LevenbergMarquardt {};
 INSTANTIATE_TEST_SUITE_P(Variants, ScaledLevenbergMarquardt, testing::ValuesIn(variants(true)),
                          [](const auto& variant) { return variant.param.name; });
@@ -239,7 +239,7 @@ TEST_P(ScaledLevenbergMarquardt, ReachesCertifiedNonlinearRegressions) {
   }
 }
 
-// Residuals that stop being numbers half a unit below the start and beyond.
+// Residuals that become NaN half a unit below the start and beyond.
 Residuals with_cliff(double edge) {
   return {1, 1, [edge](std::span<const double> x, Vector& r, Matrix& j) {
             r = {x[0] < edge ? std::numeric_limits<double>::quiet_NaN() : std::exp(x[0])};
@@ -289,7 +289,7 @@ TEST(LevenbergMarquardtEnding, TargetGradientAndLimit) {
   EXPECT_EQ(at_target.termination.cause, Cause::target_reached);
   EXPECT_LE(at_target.sum_of_squares, 1e-3);
   EXPECT_GT(at_target.history[at_target.iterations - 1], 1e-3);
-  // With the last step allowed the target is reached all the same.
+  // The target is also reached when it takes the last step allowed.
   const auto just = minimise(problem, start, {.iterations = at_target.iterations, .target = 1e-3});
   EXPECT_EQ(just.termination.cause, Cause::target_reached);
 
@@ -340,7 +340,7 @@ TEST(LevenbergMarquardtEnding, ContinuingWithTheFinalDampingIsOneLongRun) {
   EXPECT_EQ(minimise(problem, start, whole).point, after.point);
 }
 
-// Sums of sines: many stationary points, and from most starts the first steps are wrong.
+// Sums of sines have many stationary points; from most starts the first steps lead away from the minimum.
 RC_GTEST_PROP(LevenbergMarquardtProperty, NeverEndsWorseThanItStarted, (std::uint64_t seed)) {
   RandomStream random(seed);
   Vector factors(9);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the Levenberg-Marquardt iteration needs to know of a sum of squares, however its equations are solved.
+// The interface of a sum of squares to the Levenberg-Marquardt iteration, independent of how its equations
+// are solved.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,19 +23,20 @@ class LinearisedSum {
   virtual double evaluate(const Eigen::VectorXd& x) = 0;
   // The trial point becomes the current one.
   virtual void accept() = 0;
-  // Renews gradient and factors at the current point.
+  // Computes gradient and factors at the current point.
   virtual void linearise() = 0;
   [[nodiscard]] virtual const Eigen::VectorXd& gradient() const = 0;  // Jᵀr
   [[nodiscard]] virtual Eigen::VectorXd diagonal() const = 0;         // of JᵀJ
-  // The least share of the largest scale with which a parameter can be damped and the factors still hold.
+  // The least damping of a parameter, as a fraction of the largest scale, with which the factors are still
+  // accurate.
   [[nodiscard]] virtual double least_scale() const noexcept = 0;
-  // Factors JᵀJ + diag(damping); false when that cannot be done.
+  // Factors JᵀJ + diag(damping). False when this fails.
   virtual bool factor(const Eigen::VectorXd& damping) = 0;
-  // -(JᵀJ + damping)⁻¹ Jᵀr by the last factors.
+  // -(JᵀJ + damping)⁻¹ Jᵀr, from the last factors.
   [[nodiscard]] virtual Eigen::VectorXd velocity() = 0;
-  // -(JᵀJ + damping)⁻¹ Jᵀ d²r/dt² along x + t * velocity; nothing when the problem cannot tell.
+  // -(JᵀJ + damping)⁻¹ Jᵀ d²r/dt² along x + t * velocity. Empty when the problem cannot compute it.
   [[nodiscard]] virtual std::optional<Eigen::VectorXd> acceleration(const Eigen::VectorXd& velocity) = 0;
-  // By how much the linearised sum of squares falls along the velocity by the last factors.
+  // The reduction of the linearised sum of squares along the velocity, from the last factors.
   [[nodiscard]] virtual double predicted_reduction(const Eigen::VectorXd& velocity) const = 0;
 };
 

@@ -46,7 +46,7 @@ class TriangularFactor final : public LinearisedSum {
   [[nodiscard]] const Vector& gradient() const override { return gradient_; }
   [[nodiscard]] Vector diagonal() const override { return triangle_.colwise().squaredNorm().transpose(); }
 
-  // Columns may differ in length by any factor; this only keeps a column of zeros from leaving no pivot.
+  // Columns may differ in length by any factor; this only prevents a column of zeros from having no pivot.
   [[nodiscard]] double least_scale() const noexcept override { return 1e-200; }
 
   bool factor(const Vector& damping) override {
@@ -77,7 +77,7 @@ class TriangularFactor final : public LinearisedSum {
     return {v.data(), static_cast<std::size_t>(v.size())};
   }
   [[nodiscard]] Rows rows() const { return {jacobian_.data(), m_, n_}; }
-  // The part of v that lies in the columns of J, in the coordinates of its triangle.
+  // The part of v in the column space of J, in the coordinates of its triangle.
   [[nodiscard]] Vector rotated(const Vector& v) const {
     return (factors_.householderQ().adjoint() * v).head(n_);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NIST's nonlinear reference sets, all 27 from both starts. None falls short of what is asked of all.
+// NIST's nonlinear reference sets, all 27 from both starts. Every set must reach the required digits.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ void PrintTo(const NistModel& model, std::ostream* out) { *out << model.name; }
 
 namespace {
 
-// Of the certified values' eleven.
+// Out of the eleven digits of the certified values.
 constexpr double kDigitsCertified = 11.0;
 constexpr double kDigitsRequired = 6.0;
 constexpr double kMeanRequired = 9.3;
@@ -64,7 +64,7 @@ TEST_P(NistNonlinear, ReachesTheCertifiedParametersFromBothStarts) {
 INSTANTIATE_TEST_SUITE_P(AllSets, NistNonlinear, testing::ValuesIn(test::kNistModels),
                          [](const auto& model) { return std::string(model.param.name); });
 
-// The initial damping is a guess: none of these orders of magnitude may decide.
+// The initial damping is a guess; the result must not depend on its order of magnitude.
 TEST(NistNonlinearMean, HoldsForAnySmallInitialDamping) {
   if (!test::reference_data("nist/nonlinear")) GTEST_SKIP() << test::kNoReferenceData;
   for (const double mu : {1e-6, 1e-5, 1e-4, 1e-3}) {

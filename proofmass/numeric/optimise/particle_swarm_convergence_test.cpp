@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far swarms get on the usual test functions: medians over nine seeds of 50 particles and 1000
-// iterations, at rest and uniform in the function's usual box at the start.
+// Convergence of swarms on the usual test functions: medians over nine seeds of 50 particles and 1000
+// iterations, starting at rest and uniform in the function's usual box.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,8 +71,9 @@ TEST(SwarmConvergence, PaperCoefficientsStagnateOnlyWhenSynchronousAndGlobal) {
   EXPECT_LT(median_best(problem, paper(SwarmUpdate::synchronous, SwarmTopology::ring)), 1e-12);
 }
 
-// With the constriction coefficients pagmo 2.18's medians in ten dimensions are 5e-29 on the sphere, 2.6 on
-// Rosenbrock's function and 4e-15 on Ackley's: on a ring, 2e-50, 0.71 and 4e-15 with one global best.
+// With the constriction coefficients, pagmo 2.18's medians in ten dimensions with one global best are 5e-29
+// on the sphere, 2.6 on Rosenbrock's function and 4e-15 on Ackley's. On a ring they are 2e-50, 0.71 and
+// 4e-15.
 TEST(SwarmConvergence, ConstrictionReachesWhatOtherImplementationsReach) {
   SwarmSettings settings{.iterations = 1000, .update = SwarmUpdate::asynchronous};
   EXPECT_LT(median_best({sphere, 10, 5.12}, settings), 1e-24);

@@ -82,7 +82,7 @@ TEST_P(Swarm, ResultIsConsistentAndNeverGetsWorse) {
   EXPECT_EQ(result.values[result.best], *std::min_element(result.values.begin(), result.values.end()));
   EXPECT_EQ(result.values[result.best], result.history.back());
   EXPECT_DOUBLE_EQ(result.mean_history.back(), sum / 12.0);
-  // Its bests are a swarm to go on from.
+  // Its bests can be the start of another swarm.
   const SwarmResult next = minimise_by_swarm(sphere, result.positions, settings(20), 4);
   EXPECT_EQ(next.history.front(), result.history.back());
   EXPECT_LT(next.history.back(), next.history.front());
@@ -126,7 +126,7 @@ TEST_P(Swarm, EndsByTargetStallAndObserver) {
   EXPECT_LE(reached.history.back(), 1e-3);
   ASSERT_GE(reached.history.size(), 2U);
   EXPECT_GT(reached.history[reached.history.size() - 2], 1e-3);
-  // With the last iteration allowed the target is reached all the same.
+  // The target is also reached when it takes the last iteration allowed.
   aimed.iterations = reached.history.size() - 1;
   EXPECT_EQ(minimise_by_swarm(sphere, initial, aimed, 1).termination.cause, Cause::target_reached);
 
@@ -153,7 +153,7 @@ TEST_P(Swarm, EndsByTargetStallAndObserver) {
 Positions evaluated_positions(const Positions& initial, const SwarmSettings& settings) {
   Positions seen;
   std::mutex mutex;
-  // Falls without end towards the lower left: particles leave any box.
+  // The function falls without limit towards the lower left, so particles leave any box.
   const auto slope = [&](std::span<const double> x) {
     const std::scoped_lock lock(mutex);
     seen.emplace_back(x.begin(), x.end());
@@ -219,7 +219,7 @@ TEST(SwarmMotion, VelocityLimitIsAShareOfTheBox) {
   EXPECT_NEAR(longest, 0.25, 1e-12);
 }
 
-// Particles with no memory but their neighbours': who moves has seen a better one.
+// Particles that remember only their neighbours' bests: a particle that moves has seen a better one.
 std::vector<std::size_t> moved_after_one_iteration(SwarmUpdate update, SwarmTopology topology) {
   Positions initial(16, {1.0});
   initial[3] = {0.0};

@@ -9,14 +9,14 @@ namespace proofmass {
 enum class Cause {
   converged,        // a condition of optimality holds
   target_reached,   // the value asked for is reached
-  stalled,          // no progress worth its cost
-  iteration_limit,  // the iterations allowed are spent
+  stalled,          // no further progress, or too little
+  iteration_limit,  // all allowed iterations have been used
   stopped,          // the observer asked to stop
 };
 
 struct Termination {
   Cause cause = Cause::iteration_limit;
-  std::string reason;  // one sentence with the figures that decided it
+  std::string reason;  // one sentence, with the figures that the decision used
 };
 
 }  // namespace proofmass

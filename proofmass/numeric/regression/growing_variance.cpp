@@ -15,11 +15,11 @@ namespace proofmass {
 namespace {
 
 constexpr double kLargestShare = 1.0 - 1e-6;
-constexpr double kEvenGrowth = 1e-9;  // relative spread below which growth counts as the same in every row
-constexpr double kNear = 1e-3;        // by how much a round may move the share, relative to it
-constexpr int kTrials = 100;          // of a share; a dozen find it to the last digits
+constexpr double kEvenGrowth = 1e-9;  // relative spread below which the growth counts as equal in every row
+constexpr double kNear = 1e-3;        // relative change of the fraction in one round, for the first trial
+constexpr int kTrials = 100;          // trials of a fraction at most; a dozen find it to the last digits
 
-// Relative variance 1 - share + share * growth / mean growth: its mean is 1.
+// Relative variance 1 - fraction + fraction * growth / mean growth; its mean is 1.
 class VarianceShape {
  public:
   explicit VarianceShape(std::span<const double> growth) : relative_(growth.begin(), growth.end()) {
@@ -47,8 +47,8 @@ class VarianceShape {
   double mean_ = 0.0;
 };
 
-// Sums over rows that the score needs, u the relative variance: residual²/u, slope residual²/u² and
-// slope (1 - leverage)/u.
+// Sums over rows for the score, with u the relative variance: residual²/u, slope residual²/u² and slope (1 -
+// leverage)/u.
 struct ScoreSums {
   CompensatedSum squares, pull, expected;
 
@@ -59,7 +59,7 @@ struct ScoreSums {
   }
 };
 
-// A few rows at a time, whose sums need no more than doubles.
+// A small group of rows, whose sums need only double precision.
 ScoreSums score_sums(const VarianceShape& shape, const WeightedFit& fit, double share, std::size_t first,
                      std::size_t last) {
   double squares = 0.0;
@@ -76,7 +76,7 @@ ScoreSums score_sums(const VarianceShape& shape, const WeightedFit& fit, double 
   return {{squares}, {pull}, {expected}};
 }
 
-// Derivative of the restricted log-likelihood by the share, the common factor of the variances at its
+// Derivative of the restricted log-likelihood by the fraction, with the common factor of the variances at its
 // maximum: sum of slope * (residual² / (factor u²) - (1 - leverage) / u).
 double share_score(const VarianceShape& shape, const WeightedFit& fit, double dof, double share) {
   const std::size_t rows = fit.residuals.size();
@@ -92,14 +92,15 @@ double share_score(const VarianceShape& shape, const WeightedFit& fit, double do
   return factor > 0.0 ? total.pull.value() / factor - total.expected.value() : 0.0;
 }
 
-// Two shares between which the score changes its sign, and the scores there.
+// Two fractions between which the score changes its sign, and their scores.
 struct Bracket {
   double low, high;
   double score_low, score_high;
   int side = 0;  // which end moved last
 
   [[nodiscard]] double between() const { return low + (high - low) * (score_low / (score_low - score_high)); }
-  // Regula falsi in the Illinois form (Dowell & Jarratt, BIT 11, 1971): an end that stays twice counts half.
+  // Regula falsi in the Illinois form (Dowell & Jarratt, BIT 11, 1971): the score of an end that stays twice
+  // is halved.
   void narrow(double share, double score) {
     const int moved = score > 0.0 ? 1 : -1;
     if (moved == side) (score > 0.0 ? score_high : score_low) *= 0.5;
@@ -109,7 +110,7 @@ struct Bracket {
   }
 };
 
-// The root of the score; `guess`, unless zero, is tried first from both sides.
+// The root of the score. `guess`, unless zero, is tried first, from both sides.
 double best_share(const VarianceShape& shape, const WeightedFit& fit, double dof, double guess) {
   const auto score = [&](double share) { return share_score(shape, fit, dof, share); };
   Bracket bracket{

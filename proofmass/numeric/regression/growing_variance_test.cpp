@@ -31,7 +31,7 @@ Problem make_problem(std::size_t rows, double base, double slope, std::uint64_t 
   return problem;
 }
 
-// The restricted log-likelihood itself, without its constants, by dense matrices.
+// The restricted log-likelihood, without its constants, computed with dense matrices.
 double restricted_likelihood(const Problem& problem, double base, double slope) {
   const auto rows = static_cast<Eigen::Index>(problem.y.size());
   const Eigen::Map<const Eigen::MatrixXd> x(problem.design.data(), rows, 2);

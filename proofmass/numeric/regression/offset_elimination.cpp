@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Rows that one task takes; fixed, so that sums do not depend on the number of threads.
+// Rows per task. The number is fixed, so that sums do not depend on the number of threads.
 constexpr std::size_t kChunkRows = 16 * SurfaceBlock::kRows;
 constexpr int kSettlingRounds = 2;
 

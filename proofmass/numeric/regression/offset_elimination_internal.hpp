@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows' part of orthogonal distance regression; see orthogonal_distance.hpp.
+// The part of orthogonal distance regression that works on rows; see orthogonal_distance.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,15 +14,15 @@
 
 namespace proofmass {
 
-// A current point and a trial point: parameters, and the inputs' offsets of every row, which linearisation
-// eliminates in closed form. Keeps references.
+// A current point and a trial point. A point consists of the parameters and the input offsets of every row;
+// linearisation eliminates the offsets in closed form. Keeps references.
 class OffsetElimination {
  public:
-  // The problem linearised with the offsets eliminated.
+  // The linearised problem with the offsets eliminated.
   struct Linearised {
     Eigen::MatrixXd triangle;  // R of the weighted parameter derivatives
     Eigen::VectorXd rotated;   // Qᵀ of the weighted residuals
-    double output_size = 0.0;  // length of the weighted outputs: what rounding is relative to
+    double output_size = 0.0;  // length of the weighted outputs, the reference for rounding errors
   };
 
   struct Trial {
@@ -33,9 +33,9 @@ class OffsetElimination {
   OffsetElimination(const Surface& surface, const SurfaceObservations& observed,
                     std::span<const double> start);
 
-  // At the current point, with offsets damped by mu.
+  // Linearises at the current point, with offsets damped by mu.
   [[nodiscard]] Linearised linearise(double mu) const;
-  // Moves the parameters by the step and every offset to its best place for it, on trial.
+  // Sets the trial point: the parameters after the step, and the best offsets for them.
   [[nodiscard]] Trial attempt(const Eigen::VectorXd& step, double mu);
   // The trial point becomes the current one.
   void accept();
@@ -48,8 +48,8 @@ class OffsetElimination {
   struct Range {
     std::size_t first, count;
   };
-  // Of each row of a block: v = sigma_y² + sum of slope² sigma_x² / (1 + mu), and the residual as the
-  // parameters see it, e = y - f + slope . d / (1 + mu).
+  // For each row of a block: v = sigma_y² + sum of slope² sigma_x² / (1 + mu), and the residual for the
+  // parameters, e = y - f + slope . d / (1 + mu).
   struct Eliminated {
     std::vector<double> v, e;
   };
@@ -63,14 +63,15 @@ class OffsetElimination {
                  Eliminated& rows) const;
   void add_rows(std::size_t chunk, double mu, TriangularAccumulator& triangle, double& output_size) const;
   [[nodiscard]] Trial attempt_rows(std::size_t chunk, const Eigen::VectorXd& step, double mu);
-  // The offsets that are best for what the parameters' step leaves of e.
+  // The best offsets for the part of e that the parameters' step leaves.
   void move_offsets(Range range, double mu, const SurfaceBlock& block, const Eliminated& rows, Trial& trial);
 
-  // Of each row of the block, at the trial point: its share of the sum of squares.
+  // The contribution of each row of the block to the sum of squares, at the trial point.
   [[nodiscard]] std::vector<double> costs(Range range, const SurfaceBlock& block) const;
-  // Takes the trial offsets closer to the best for the trial parameters, each row by itself and never to a
-  // worse place, and returns the rows' sum of squares. Without it, where the output is much more certain than
-  // the inputs, the way to the solution is a narrow curved valley that joint steps follow slowly.
+  // Moves the trial offsets closer to the best ones for the trial parameters. Each row moves separately and
+  // never to a worse value. Returns the rows' sum of squares. Without this step, where the output is much
+  // more certain than the inputs, the path to the solution is a narrow curved valley that joint steps follow
+  // slowly.
   [[nodiscard]] double settle_offsets(Range range, SurfaceBlock& block, Eliminated& rows);
 
   const Surface& surface_;

@@ -22,9 +22,9 @@ using Eigen::VectorXd;
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-5;
 constexpr double kMostDamping = 1e12;
-// A sum of squares that grew by no more than this, relative, only rounded.
+// A relative increase of the sum of squares up to this is rounding.
 constexpr double kRounding = 1e-13;
-// Where a step promises less than this of the sum of squares, rounding of long sums may hide what it gains.
+// When a step promises a smaller relative reduction than this, the rounding of long sums may hide its gain.
 constexpr double kSmall = 1e-9;
 
 void check(const Surface& surface, const SurfaceObservations& observed, std::size_t parameters) {
@@ -65,7 +65,7 @@ Matrix inverse_normal(const MatrixXd& triangle) {
   return result;
 }
 
-// The iteration: step() until it says why to stop.
+// The iteration calls step() until it returns a reason to stop.
 class Minimiser {
  public:
   Minimiser(OffsetElimination& fitter, const OrthogonalDistanceOptions& options)
@@ -101,14 +101,15 @@ class Minimiser {
   }
 
  private:
-  // Raises the damping until a step does not raise the sum of squares, and takes it; false when none does.
+  // Raises the damping until a step does not raise the sum of squares, and takes the step. False when none
+  // does.
   bool advance() {
     for (; mu_ <= kMostDamping; mu_ = mu_ == 0.0 ? kFirstDamping : 10.0 * mu_) {
       const OffsetElimination::Linearised at = fitter_.linearise(mu_);
       const VectorXd step = damped_step(at, mu_);
       if (!step.allFinite()) continue;
       const OffsetElimination::Trial trial = fitter_.attempt(step, mu_);
-      // Damping shortens steps; that is not convergence.
+      // A step that is short because of damping does not mean convergence.
       length_ = (1.0 + mu_) * std::sqrt((at.triangle * step).squaredNorm() + trial.offset_step);
       limit_ = std::max(options_.tolerance, 8.0 * 0x1p-52 * at.output_size);
       const double most = 1.0 + (length_ * length_ <= kSmall * result_.sum_of_squares ? kSmall : kRounding);
@@ -140,8 +141,8 @@ class Minimiser {
   OffsetElimination& fitter_;
   const OrthogonalDistanceOptions& options_;
   double mu_ = 0.0;
-  double length_ = 0.0;  // of the last step, in standard deviations
-  double limit_ = 0.0;   // at which it counts as none
+  double length_ = 0.0;  // length of the last step, in standard deviations
+  double limit_ = 0.0;   // a shorter step means convergence
   OrthogonalDistanceFit result_;
 };
 

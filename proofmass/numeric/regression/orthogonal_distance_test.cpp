@@ -13,7 +13,7 @@
 namespace proofmass {
 namespace {
 
-// f = a exp(b x): bends so much that plain Gauss-Newton fails from afar.
+// f = a exp(b x) is so curved that plain Gauss-Newton fails from a distant start.
 class Exponential final : public Surface {
  public:
   [[nodiscard]] std::size_t inputs() const override { return 1; }
@@ -49,7 +49,7 @@ Points noisy_exponential(std::size_t rows) {
   return points;
 }
 
-// The sum of squares with every row's true input found by itself, by bisection of the derivative.
+// The sum of squares with each row's true input found separately, by bisection of the derivative.
 double profile(const Points& points, double a, double b) {
   double sum = 0.0;
   for (std::size_t r = 0; r < points.x.size(); ++r) {

@@ -14,8 +14,8 @@ namespace {
 constexpr double kNormalQuartile = 0.6744897501960817;
 constexpr int kBracketings = 60;
 
-// A root of a decreasing function between two positive bounds, to the last bits; the bound that the root
-// lies beyond when it lies outside.
+// The root of a decreasing function between two positive bounds, to the last bits. When the root is outside,
+// the nearer bound.
 template <typename Function>
 double decreasing_root(const Function& function, double low, double high) {
   const double at_low = function(low);
@@ -44,7 +44,7 @@ double student_scale(std::span<const double> residuals, double guess, double dof
   return decreasing_root(excess, low, high);
 }
 
-// Derivative of the log-likelihood a row by the degrees of freedom, times two.
+// Derivative of the log-likelihood per row by the degrees of freedom, times two.
 double dof_score(std::span<const double> residuals, double scale, double dof) {
   double sum = 0.0;
   for (const double r : residuals) {

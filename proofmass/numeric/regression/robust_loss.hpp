@@ -8,8 +8,8 @@ namespace proofmass {
 
 enum class LossKind { huber, bisquare, student };
 
-// A loss of the scaled residual u, by its derivative psi(u) = weight(u) * u. Tuning: Huber's k, Tukey's c, or
-// Student's degrees of freedom.
+// A loss of the scaled residual u, given by its derivative psi(u) = weight(u) * u. Tuning is Huber's k,
+// Tukey's c, or Student's degrees of freedom.
 struct RobustLoss {
   LossKind kind = LossKind::huber;
   double tuning = 1.345;
@@ -17,22 +17,23 @@ struct RobustLoss {
   [[nodiscard]] double slope(double u) const noexcept;   // derivative of psi
 };
 
-// The constants of 95 % efficiency on normal noise: 1.345 (Huber, Ann. Math. Statist. 35, 1964) and 4.685
-// (Beaton & Tukey, Technometrics 16, 1974). Student: 4, where nothing better is known.
+// The constants for 95 % efficiency on normal noise: 1.345 (Huber, Ann. Math. Statist. 35, 1964) and 4.685
+// (Beaton & Tukey, Technometrics 16, 1974). Student: 4, a default without estimation.
 [[nodiscard]] double default_tuning(LossKind kind) noexcept;
 
-// Normal-consistent median absolute residual: median of |r| over the rows left when the `fitted` smallest are
-// set aside, for that many a fit can bring to zero, divided by 0.6745. Zero for no rows.
+// Robust scale, equal to the standard deviation for normal residuals: the median of |r| without the `fitted`
+// smallest, divided by 0.6745. A fit with that many coefficients can make as many residuals zero. Zero for no
+// rows.
 [[nodiscard]] double median_scale(std::span<const double> residuals, std::size_t fitted);
 
-// Scale and degrees of freedom of a Student t about zero.
+// Scale and degrees of freedom of a Student t distribution about zero.
 struct StudentScale {
   double scale = 0.0;
   double dof = 0.0;
 };
 
 inline constexpr double kLeastStudentDof = 1.0;
-inline constexpr double kMostStudentDof = 200.0;  // as good as normal
+inline constexpr double kMostStudentDof = 200.0;  // practically normal
 
 // Maximum likelihood of scale and degrees of freedom (within the two bounds above), or of the scale alone
 // when `dof` is above zero (Lange, Little & Taylor, JASA 84, 1989). `guess` is a rough scale above zero.

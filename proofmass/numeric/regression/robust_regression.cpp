@@ -24,21 +24,22 @@ using Eigen::VectorXd;
 
 constexpr int kRounds = 2;
 constexpr std::size_t kStartIterations = 60;
-constexpr double kStartTolerance = 1e-3;  // scales
+constexpr double kStartTolerance = 1e-3;  // in scales
 constexpr RobustLoss kStartLoss{.kind = LossKind::huber, .tuning = 0.25};
-constexpr double kLeverageLimit = 2.0;  // times the mean leverage, beyond which the start holds rows down
+constexpr double kLeverageLimit = 2.0;  // times the mean leverage; the start gives rows beyond it less weight
 constexpr double kLeastEigenvalue = 1e-10;
 constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
-// The regression in an orthonormal basis of the columns, about its least-squares fit: residuals of that fit
-// minus basis * shift. Weighted normal equations are harmless here, for only the weights condition them.
+// The regression in an orthonormal basis of the columns, relative to its least-squares fit: residuals of that
+// fit minus basis * shift. Weighted normal equations are safe here, because only the weights affect their
+// condition.
 struct Problem {
   MatrixXd basis;
   VectorXd remainder;  // residuals of the least-squares fit
   std::vector<double> vif;
   Matrix unscaled_covariance;  // (XᵀX)⁻¹
   std::vector<double> leverage;
-  double rounding = 0.0;  // what rounding leaves of an exact fit, at most
+  double rounding = 0.0;  // largest residual that rounding can leave of an exact fit
 };
 
 Problem make_problem(const Matrix& design, std::span<const double> y) {
@@ -59,7 +60,7 @@ Problem make_problem(const Matrix& design, std::span<const double> y) {
           .rounding = kRounding * largest};
 }
 
-// Where reweighting stands.
+// The state of the reweighting.
 struct State {
   VectorXd shift;
   VectorXd residuals;
@@ -76,7 +77,7 @@ double scale_of(const Problem& problem, const State& state) {
   return std::max(scale, problem.rounding);
 }
 
-// One step of reweighted least squares, with prior weights on top of the loss's.
+// One step of reweighted least squares, with prior weights in addition to those of the loss.
 void reweight(const Problem& problem, const RobustLoss& loss, double scale, const VectorXd& prior,
               State& state) {
   for (Index r = 0; r < state.weights.size(); ++r) {
@@ -96,7 +97,8 @@ void reweight(const Problem& problem, const RobustLoss& loss, double scale, cons
   ++state.iterations;
 }
 
-// Mallows weights: rows of more than twice the mean leverage count for the less, the higher it is.
+// Mallows weights: a row with more than twice the mean leverage gets less weight, the less the higher its
+// leverage.
 VectorXd leverage_weights(const Problem& problem) {
   VectorXd prior(problem.basis.rows());
   const double mean = static_cast<double>(problem.basis.cols()) / static_cast<double>(problem.basis.rows());
@@ -124,7 +126,7 @@ State robust_start(const Problem& problem, const KeepGoing& keep_going) {
   return state;
 }
 
-// The loss for these residuals, and the scale to divide them by.
+// The loss for these residuals, and the scale that divides them.
 std::pair<RobustLoss, double> tuned_loss(const Problem& problem, const State& state,
                                          const RobustOptions& options) {
   const double scale = scale_of(problem, state);
@@ -182,7 +184,7 @@ double mean_slope(const RobustFit& fit) {
   return sum / static_cast<double>(fit.residuals.size());
 }
 
-// The last step once more on the design itself, to the accuracy of solve_least_squares.
+// Repeats the last step on the design itself, to the accuracy of solve_least_squares.
 void finish(const Matrix& design, std::span<const double> y, const Problem& problem, RobustFit& fit) {
   WeightedFit last = solve_weighted_least_squares(design, y, fit.weights);
   fit.coefficients = std::move(last.coefficients);

@@ -15,39 +15,39 @@ namespace proofmass {
 
 struct RobustOptions {
   LossKind loss = LossKind::bisquare;
-  // Huber's k, Tukey's c, Student's degrees of freedom; none: default_tuning, and for Student estimated.
+  // Huber's k, Tukey's c or Student's degrees of freedom. Empty: default_tuning, and for Student an estimate.
   std::optional<double> tuning{};
-  std::size_t iterations = 500;  // of reweighting in one round, at most
+  std::size_t iterations = 500;  // iterations of reweighting in one round, at most
   double tolerance = 1e-12;      // ends a round when no fitted value moves by more than this many scales
 };
 
 struct RobustFit {
-  std::vector<double> coefficients;  // one a column
-  std::vector<double> residuals;     // one a row
-  std::vector<double> weights;       // one a row; those of the last step, at most about 1
-  std::vector<double> vif;           // of the columns without weights, as LeastSquaresFit's
+  std::vector<double> coefficients;  // one per column
+  std::vector<double> residuals;     // one per row
+  std::vector<double> weights;       // one per row, from the last step, at most about 1
+  std::vector<double> vif;           // of the columns without weights, as in LeastSquaresFit
   Matrix covariance;                 // asymptotic, see below
-  double rss = 0.0;                  // of all rows, unweighted
-  double scale = 0.0;                // median_scale of the residuals: sigma, were they normal
-  double loss_scale = 0.0;           // what residuals were divided by: the same, but for Student t's its own
-  RobustLoss loss;                   // with the tuning used
-  double psi_slope = 0.0;      // mean of psi'; must be well above zero for the covariance to mean anything
+  double rss = 0.0;                  // over all rows, unweighted
+  double scale = 0.0;          // median_scale of the residuals: the standard deviation if they are normal
+  double loss_scale = 0.0;     // the scale that divides residuals: the same, except for Student t's own scale
+  RobustLoss loss;             // with the tuning used
+  double psi_slope = 0.0;      // mean of psi'; must be well above zero for the covariance to be meaningful
   bool rank_lost = false;      // rows with weight left do not determine the coefficients; then only the
                                // weights are of use
-  std::size_t iterations = 0;  // of all rounds
+  std::size_t iterations = 0;  // over all rounds
   Termination termination;
 };
 
 // M-estimation of linear coefficients by iteratively reweighted least squares (Huber, Robust Statistics,
-// 1981, 7.8; Holland & Welsch 1977). It starts from least absolute deviations, smoothed near zero, with
-// rows of high leverage weighted down (Mallows), so that the start of a loss with several minima is not
-// where far rows pull it. Then two rounds: the scale from the residuals, and reweighting to convergence with
-// the scale held, under which the loss falls at every step. Covariance by Huber 1981, eq. (6.5) of chapter 7:
-// K² [sum psi² / (n - p)] scale² / (mean psi')² (XᵀX)⁻¹, K = 1 + p/n var(psi') / (mean psi')². The scale is
-// kept above rounding of y, so exact data are fitted exactly. The design must have full column rank and
-// more rows than columns, else std::invalid_argument.
-// It is asked before every reweighting whether to go on; once not, it ends with cause stopped, and the rest
-// of the result is of no use.
+// 1981, 7.8; Holland & Welsch 1977). It starts from least absolute deviations, smoothed near zero. Rows of
+// high leverage have less weight there (Mallows), so that outlying rows do not determine the start of a loss
+// with several minima. Two rounds follow: the scale from the residuals, then reweighting to convergence with
+// this scale, under which the loss falls at every step. Covariance by Huber 1981, eq. (6.5) of chapter 7: K²
+// [sum psi² / (n - p)] scale² / (mean psi')² (XᵀX)⁻¹, K = 1 + p/n var(psi') / (mean psi')². The scale is kept
+// above the rounding of y, so exact data are fitted exactly. Throws std::invalid_argument unless the design
+// has full column rank and more rows than columns.
+// The observer is called before every reweighting. When it returns false, the iteration ends with cause
+// stopped, and the rest of the result is not usable.
 [[nodiscard]] RobustFit fit_robustly(const Matrix& design, std::span<const double> y,
                                      const RobustOptions& options = {},
                                      const std::function<bool()>& keep_going = {});

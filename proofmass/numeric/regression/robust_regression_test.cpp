@@ -94,7 +94,7 @@ TEST(RobustRegression, HugeConstantsGiveLeastSquares) {
   }
 }
 
-// One row in ten is far out in x and wrong: the least-squares line follows it.
+// One row in ten has an outlying x and a wrong y; the least-squares line follows these rows.
 TEST(RobustRegression, BisquareWithstandsLeverage) {
   Problem problem = make_line(200, 3);
   for (std::size_t r = 0; r < 200; r += 10) {
@@ -107,8 +107,8 @@ TEST(RobustRegression, BisquareWithstandsLeverage) {
   for (std::size_t r = 0; r < 200; r += 10) EXPECT_EQ(fit.weights[r], 0.0);
 }
 
-// Brownlee's stack loss data (1965). Four of its 21 rows are outliers; two of them (1 and 3) have leverage
-// and hide from M-estimators, the other two (4 and 21) must stand out.
+// Brownlee's stack loss data (1965). Four of the 21 rows are outliers. Rows 1 and 3 have high leverage, and
+// M-estimators do not detect them; rows 4 and 21 must be detected.
 TEST(RobustRegression, FindsTheOutliersOfTheStackLossData) {
   constexpr std::array air{80., 80., 75., 62., 62., 62., 62., 62., 58., 58., 58.,
                            58., 58., 58., 50., 50., 50., 50., 50., 56., 70.};

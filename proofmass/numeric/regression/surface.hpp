@@ -9,13 +9,13 @@
 
 namespace proofmass {
 
-// Points of a surface and what is known there, column by column so that loops run along rows.
+// Points of a surface with their values and derivatives, stored by column so that loops run over rows.
 struct SurfaceBlock {
   static constexpr std::size_t kRows = 256;
   SurfaceBlock(std::size_t inputs, std::size_t parameters)
       : x(kRows, inputs), value(kRows), by_input(kRows, inputs), by_parameter(kRows, parameters) {}
 
-  Matrix x;                   // kRows x inputs: where
+  Matrix x;                   // kRows x inputs: the points
   std::vector<double> value;  // kRows
   Matrix by_input;            // kRows x inputs: derivatives of the value
   Matrix by_parameter;        // kRows x parameters

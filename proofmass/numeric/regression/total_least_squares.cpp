@@ -32,10 +32,10 @@ void check(const Matrix& design, std::span<const double> y, std::span<const doub
   }
 }
 
-// The problem with exact columns first and every column in its own unit: the uncertain ones and y in standard
-// deviations, the exact ones in their length.
+// The problem with exact columns first and every column in its own unit: the standard deviation for uncertain
+// columns and y, the length for exact ones.
 struct Problem {
-  std::vector<std::size_t> order;  // the given column that each scaled one is
+  std::vector<std::size_t> order;  // index of the given column for each scaled column
   VectorXd units;                  // scaled column = column / unit
   Index exact = 0;
   MatrixXd columns;
@@ -66,7 +66,7 @@ Problem make_problem(const Matrix& design, std::span<const double> y, std::span<
   return problem;
 }
 
-// M = AᵀA - s² E by its factors, E the identity on the uncertain columns and zero on the exact ones.
+// M = AᵀA - s² E from its factors, with E the identity on the uncertain columns and zero on the exact ones.
 class ShiftedNormal {
  public:
   ShiftedNormal(const MatrixXd& triangle, Index exact, double s)
@@ -110,7 +110,8 @@ MatrixXd triangle_of(const Problem& problem) {
   return triangle;
 }
 
-// The solution as the right singular vector of the least singular value gives it (algorithm 3.2 there).
+// The solution from the right singular vector of the least singular value (Van Huffel & Vandewalle, algorithm
+// 3.2).
 VectorXd solution_by_vector(const MatrixXd& triangle, Index exact, const VectorXd& vector) {
   const Index n = triangle.cols() - 1;
   VectorXd x(n);
@@ -126,8 +127,8 @@ double weight(const Problem& problem, const VectorXd& x) {
   return 1.0 + x.tail(x.size() - problem.exact).squaredNorm();
 }
 
-// The solution satisfies Aᵀ(y - A x) + s² E x = 0 with s² = |y - A x|² / (1 + |E x|²): corrections by M, with
-// residuals from the rows, take away the rounding of the factors.
+// The solution satisfies Aᵀ(y - A x) + s² E x = 0 with s² = |y - A x|² / (1 + |E x|²). Corrections by M, with
+// residuals from the rows, remove the rounding errors of the factors.
 void refine(const Problem& problem, const ShiftedNormal& normal, VectorXd& x) {
   const Index uncertain = x.size() - problem.exact;
   for (int k = 0; k < kRefinements; ++k) {

@@ -79,7 +79,7 @@ TEST(TotalLeastSquares, OrderOfColumnsDoesNotMatter) {
   }
 }
 
-// With columns that are almost exact it is least squares, and so is its covariance.
+// With columns that are almost exact, estimate and covariance equal those of least squares.
 TEST(TotalLeastSquares, TendsToLeastSquares) {
   const Line line = noisy_line(4);
   const auto fit = solve_total_least_squares(line.design, line.y, std::array{0.0, 1e-9}, 0.3);

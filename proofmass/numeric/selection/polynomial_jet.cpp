@@ -27,7 +27,7 @@ constexpr std::size_t index_of(const std::array<int, 3>& powers) {
   return kDropped;
 }
 
-// Where the product of two monomials goes.
+// Index of the product of two monomials.
 constexpr auto kProducts = [] {
   std::array<std::array<std::size_t, kJetMonomials>, kJetMonomials> products{};
   for (std::size_t a = 0; a < kJetMonomials; ++a) {

@@ -10,10 +10,10 @@ namespace proofmass {
 inline constexpr std::size_t kJetDegree = 3;
 inline constexpr std::size_t kJetMonomials = 20;  // of three variables, total degree at most kJetDegree
 
-// A polynomial in three variables cut off above total degree three, and to first order in a fourth, marked
-// variable that stands for a function that is no polynomial (x|x|, say). Sums and products of jets are exact
-// for every coefficient kept, since degrees only add: what a product drops is of degree four or more, or the
-// marked variable times anything but a constant.
+// A polynomial in three variables, cut off above total degree three and to first order in a fourth, marked
+// variable. The marked variable stands for a function that is no polynomial, such as x|x|. Sums and products
+// of jets are exact for every coefficient kept, because degrees only add: a product drops only degree four
+// and more, and the marked variable times anything but a constant.
 struct PolynomialJet {
   std::array<double, kJetMonomials> coefficients{};  // in the order of jet_monomials()
   double marked = 0.0;                               // coefficient of the marked variable

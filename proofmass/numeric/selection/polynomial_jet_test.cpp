@@ -12,7 +12,7 @@
 namespace proofmass {
 namespace {
 
-// Polynomials without any limit of degree; the fourth power is the marked variable's.
+// Polynomials of unlimited degree; the fourth power belongs to the marked variable.
 using Polynomial = std::map<std::array<int, 4>, double>;
 
 Polynomial polynomial_of(const PolynomialJet& jet) {
@@ -33,7 +33,7 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-// Small whole numbers, so that sums in any order are exact.
+// Small whole numbers, so that sums are exact in any order.
 PolynomialJet whole_numbers(RandomStream& random) {
   PolynomialJet jet;
   for (double& c : jet.coefficients) c = static_cast<double>(random.index(9)) - 4.0;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kRegressors = 6;
 constexpr Subset kAllRegressors = (Subset{1} << kRegressors) - 1;
-// Below this share of its own size, what v has beyond u is rounding.
+// When the residual of v from a linear function of u is below this fraction of v, it is rounding.
 constexpr double kSame = 1e-10;
 
 double mean(std::span<const double> values) {
@@ -50,7 +50,7 @@ std::optional<PolynomialNode> standardised(const PolynomialNode& node, double si
   return affine(result, 1.0 / spread, 0.0);
 }
 
-// What `node` has beyond a linear function of `other`, which is standardised.
+// The residual of `node` from a linear function of `other`, which is standardised.
 std::optional<PolynomialNode> beyond(const PolynomialNode& node, const PolynomialNode& other) {
   const double size = root_mean_square(node.values);
   std::optional<PolynomialNode> result = standardised(node, size);
@@ -151,7 +151,7 @@ std::vector<PolynomialNode> next_pool(const std::vector<PolynomialNode>& inputs,
   return pool;
 }
 
-// Whether the layer is worth a further one; says why when not.
+// Whether another layer should be grown; if not, the reason.
 bool improves(const QuadraticLayers& result, double before, double improvement, Termination& termination) {
   const double least = result.value_of_layer.back();
   if (std::sqrt(least) < (1.0 - improvement) * std::sqrt(before)) return true;

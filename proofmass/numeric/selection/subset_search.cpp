@@ -14,7 +14,7 @@
 namespace proofmass {
 namespace {
 
-// Few, for a value may take long where the rows are many.
+// A small number, because one value may take long when there are many rows.
 constexpr std::size_t kReportEvery = 16;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -47,11 +47,11 @@ class Explorer {
     return std::isnan(value) ? kInfinity : std::max(value, settings_.floor);
   }
   void record(Subset subset, double value);
-  // Whether every subset with so many columns or more can at best equal one already found with fewer: values
-  // at the floor cannot be beaten.
+  // Whether every subset with at least this many columns can at best equal one found with fewer: values at
+  // the floor cannot be improved.
   [[nodiscard]] bool pointless(std::size_t columns) const;
   void compute_all(const std::vector<Subset>& subsets);
-  // Visits the proper subsets of `top` that lack none of the first `fixed` columns of order_.
+  // Visits the proper subsets of `top` that contain all of the first `fixed` columns of order_.
   void descend(Subset top, std::size_t fixed);
   [[nodiscard]] bool may_hold_better(Subset top) const {
     return criterion_.bound(top) <= least_ * (1.0 + settings_.tolerance);
@@ -117,7 +117,8 @@ void Explorer::search_backwards() {
 
 void Explorer::search_all() {
   if (settings_.models == 0 || ended_) return;
-  // Columns that are missed most come first: the branches without them are the largest and end at once.
+  // The columns whose removal raises the criterion most come first: the branches without them are the largest
+  // and end at once.
   order_.resize(criterion_.columns());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   std::vector<double> loss(order_.size(), kInfinity);
@@ -137,7 +138,7 @@ void Explorer::descend(Subset top, std::size_t fixed) {
   for (std::size_t k = fixed; k < order_.size() && !ended_; ++k) {
     const Subset child = top & ~bit(order_[k]);
     if (pointless(kept)) return;
-    ++kept;  // by the next round column k stays
+    ++kept;  // from the next round on, column k stays
     if (child == 0 || !may_hold_better(child)) continue;
     if (!known_.contains(child)) {
       if (exhaustive_evaluations_ == settings_.models) ended_ = true;

@@ -18,7 +18,7 @@ struct Sample {
   std::vector<double> y;
 };
 
-// y depends on the even columns; columns are correlated, so that stepwise search can err.
+// y depends on the even columns. The columns are correlated, so that stepwise search can fail.
 Sample make_sample(std::size_t rows, std::size_t columns, double noise, std::uint64_t seed) {
   RandomStream random(seed);
   Sample sample{Matrix(rows, columns), std::vector<double>(rows)};
