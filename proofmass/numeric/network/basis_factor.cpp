@@ -21,12 +21,12 @@ ConstMap view(const Matrix& m) {
   return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
 }
 
-// An activation nearer than this share to the span of those before it is taken to lie in it: what is left of
-// it is rounding, and its coefficient would be noise of any size.
+// When the part of an activation outside the span of those before it is below this fraction, the activation
+// counts as dependent: that part is rounding, and its coefficient could be noise of any size.
 constexpr double kIndependent = 1e-12;
 
-// Cholesky factor of a Gram matrix, shifted when rounding has made it indefinite: the columns then span less
-// than they seem to, and the shift keeps the lost direction's coefficient bounded.
+// Cholesky factor of a Gram matrix, shifted when rounding has made it indefinite. The columns are then nearly
+// dependent, and the shift limits the coefficient of the undetermined direction.
 Eigen::LLT<Eigen::MatrixXd> factorise(const Eigen::MatrixXd& gram) {
   Eigen::LLT<Eigen::MatrixXd> factor(gram);
   const double trace = gram.trace();
@@ -36,13 +36,14 @@ Eigen::LLT<Eigen::MatrixXd> factorise(const Eigen::MatrixXd& gram) {
   return factor;
 }
 
-// Bound of the condition number that the factor's diagonal shows.
+// Bound of the condition number, from the factor's diagonal.
 double condition_of(const Eigen::LLT<Eigen::MatrixXd>& factor) {
   const Eigen::VectorXd diagonal = factor.matrixLLT().diagonal();
   return diagonal.maxCoeff() / diagonal.minCoeff();
 }
 
-// Leaves a column out of the transform; in the Gram matrix it stands as one of its own.
+// Leaves a column out of the transform. In the Gram matrix it is replaced by an independent column of its
+// own.
 void leave_out(Eigen::Index c, Eigen::Ref<Eigen::MatrixXd> transform, Eigen::Ref<Eigen::MatrixXd> gram) {
   transform.col(c).setZero();
   gram.col(c).setZero();
@@ -50,8 +51,9 @@ void leave_out(Eigen::Index c, Eigen::Ref<Eigen::MatrixXd> transform, Eigen::Ref
   gram(c, c) = 1.0;
 }
 
-// The factor of the Gram matrix without the columns that depend on earlier ones. They go one at a time, each
-// before the later ones are made orthogonal to it: it is rounding, and would spoil them.
+// The factor of the Gram matrix without the columns that depend on earlier ones. They are removed one at a
+// time, each before later columns are made orthogonal to it: its remainder is rounding, and would make those
+// inaccurate.
 Eigen::LLT<Eigen::MatrixXd> factorise_independent(Eigen::Ref<Eigen::MatrixXd> transform,
                                                   const Eigen::Ref<Eigen::MatrixXd>& gram,
                                                   double largest_norm) {
@@ -65,7 +67,7 @@ Eigen::LLT<Eigen::MatrixXd> factorise_independent(Eigen::Ref<Eigen::MatrixXd> tr
   return factor;
 }
 
-// Inverse of a Gram matrix, on the span of its columns alone when some are zero or nearly so.
+// Inverse of a Gram matrix, restricted to the span of its columns when some are zero or nearly so.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& gram) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
   const Eigen::VectorXd& values = eigen.eigenvalues();

@@ -46,7 +46,7 @@ std::vector<double> canonical_weights(const PerceptronShape& shape, std::span<co
     unit.v = weights[shape.hidden_weights() + j];
     const auto nonzero = [](double w) { return w != 0.0; };
     const auto leading = std::find_if(unit.w.begin(), unit.w.end(), nonzero);
-    // A unit without output weight has its sign by its first weight that is not zero.
+    // A unit with zero output weight takes its sign from its first nonzero weight.
     const double sign = nonzero(unit.v) ? unit.v : leading != unit.w.end() ? *leading : unit.b;
     if (sign < 0.0) {
       for (double& w : unit.w) w = -w;

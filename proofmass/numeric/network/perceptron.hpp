@@ -25,17 +25,17 @@ struct PerceptronShape {
 };
 
 // Hidden weights for inputs scaled to [-1, 1] after Nguyen & Widrow (1990): magnitude 0.7 * H^(1/inputs) in
-// uniformly random directions; biases spread evenly over the same magnitude with the sign of each unit's
-// first weight, as MATLAB's initnw spreads them. (initnw also doubles weights and biases, taking tanh's
-// active range as [-2, 2]; docs/bp.md has what that does here.)
+// uniformly random directions. Biases are spread evenly over the same magnitude with the sign of each unit's
+// first weight, as in MATLAB's initnw. (initnw also doubles weights and biases, because it takes tanh's
+// active range as [-2, 2]; docs/bp.md gives the effect here.)
 [[nodiscard]] std::vector<double> nguyen_widrow(const PerceptronShape& shape, RandomStream& random);
 
-// Output weights for an initial network: uniform in [-1, 1], biased output included, as initnw gives a linear
-// layer.
+// Output weights for an initial network: uniform in [-1, 1], including the output bias, as initnw does for a
+// linear layer.
 [[nodiscard]] std::vector<double> random_output_layer(const PerceptronShape& shape, RandomStream& random);
 
-// The same function with one representative of its symmetries (sign and order of the hidden units): every
-// output weight positive or zero, units in ascending order of their weights.
+// The same function in a unique form, independent of sign and order of the hidden units: every output weight
+// is positive or zero, and units are in ascending order of their weights.
 [[nodiscard]] std::vector<double> canonical_weights(const PerceptronShape& shape,
                                                     std::span<const double> weights);
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mathematics of a block of samples, compiled once for every instruction set: included through
-// foreach_target, so without an ordinary include guard.
+// The mathematics of a block of samples, compiled once for every instruction set. The file is included
+// through foreach_target, so it has no ordinary include guard.
 //
-// Operations of the multiplication ports a sample, for I inputs, H hidden units and p = H (I + 1) hidden
-// weights, on 2 x 10 tiles; tanh takes T = 13, with AVX2 15:
+// Operations of the multiplication ports per sample, for I inputs, H hidden units and p = H (I + 1) hidden
+// weights, on 2 x 10 tiles. tanh takes T = 13, with AVX2 15:
 //   activations, error    H (I + T + 1)
 //   slopes                H, weighted 2 H
 //   JᵀJ, Jᵀe, eᵀe         by slopes and products of inputs: I (I + 1) / 2 + H (H + 1) / 2 (1 + I (I + 3) / 2)
 //                         + H I (H + 2) + H (H + 1) + (H + 1) (H + 2) / 2
-// 3-7-1: 119 for activations and error, 693 for the normal equations by all weights with them (a dense JᵀJ
-// with Jᵀe and eᵀe alone would take 703). Triangles take one more for every two rows, the element below the
-// diagonal that a tile holds.
+// 3-7-1: 119 for activations and error, 693 for the normal equations by all weights including them (a dense
+// JᵀJ with Jᵀe and eᵀe alone would take 703). Triangles take one more for every two rows, for the element
+// below the diagonal that a tile contains.
 #if defined(PROOFMASS_PERCEPTRON_KERNELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PERCEPTRON_KERNELS_INL
 #undef PROOFMASS_PERCEPTRON_KERNELS_INL
@@ -35,15 +35,15 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// A network whose output is linear in further columns: all its weights, those of the fixed columns last, and
-// the hidden ones once more, scaled so that arguments are exponents of two.
+// A network whose output is linear in further columns. All its weights, those of the fixed columns last, and
+// the hidden weights a second time, scaled so that arguments are exponents of two.
 struct Network {
   Network(const PerceptronShape& the_shape, const double* all_weights, const ColumnBlock& fixed_columns)
       : shape(the_shape),
         output(all_weights + the_shape.hidden_weights()),
         fixed(fixed_columns),
         exponents(the_shape.hidden_weights()) {
-    // An infinite weight would make the padding's zeros no numbers.
+    // An infinite weight times the padding's zeros would give NaN.
     std::transform(all_weights, output, exponents.begin(), [](double w) {
       constexpr double kLargest = std::numeric_limits<double>::max();
       return std::isinf(w) ? w : std::clamp(kPowerOfTwo * w, -kLargest, kLargest);
@@ -56,8 +56,8 @@ struct Network {
   std::vector<double> exponents;
 };
 
-// Calls body with the number of inputs as a constant where it is a usual one, so that loops over inputs
-// unroll; otherwise with 0.
+// Calls body with the number of inputs as a compile-time constant for the usual numbers, so that loops over
+// inputs unroll; otherwise with 0.
 template <typename Body>
 HWY_INLINE void WithInputs(std::size_t inputs, const Body& body) {
   switch (inputs) {
@@ -72,13 +72,13 @@ HWY_INLINE void WithInputs(std::size_t inputs, const Body& body) {
   }
 }
 
-// Vectors of rows that go through a kernel together: enough that no step waits for the one before, and no
-// more than the registers hold.
+// Vectors of rows that a kernel processes together: enough that no step waits for the one before, and no more
+// than fit into the registers.
 constexpr std::size_t kTogether = 4;
 constexpr std::size_t kTogetherForward = HWY_TARGET <= HWY_AVX3 ? 6 : 4;
 
-// Calls body with the first row and kMost for as many vectors of rows as there are, then with half of it, and
-// so on down to 1: a vector by itself would wait for each of its steps.
+// Calls body with the first row for kMost vectors of rows at a time, then for half as many, and so on down to
+// 1. A vector processed alone would wait for each of its steps.
 template <std::size_t kMost = kTogether, typename Body>
 HWY_INLINE void ForRows(std::size_t rows, const Body& body, std::size_t row = 0) {
   for (; row + kMost * kLanes <= rows; row += kMost * kLanes) {
@@ -87,7 +87,7 @@ HWY_INLINE void ForRows(std::size_t rows, const Body& body, std::size_t row = 0)
   if constexpr (kMost > 1) ForRows<kMost / 2>(rows, body, row);
 }
 
-// z = weighted sum of the inputs of the rows from `row` on plus the bias, the argument of one hidden unit.
+// z = weighted sum of the inputs plus the bias, for the rows from `row` on: the argument of one hidden unit.
 template <std::size_t kInputs, std::size_t kVectors>
 HWY_INLINE void HiddenArgument(const PerceptronShape& shape, const double* weights, std::size_t unit,
                                const Samples& samples, std::size_t row, V (&z)[kVectors]) {
@@ -107,16 +107,16 @@ HWY_INLINE void ClearPadding(double* column, std::size_t real, std::size_t rows)
   std::fill(column + std::min(real, rows), column + rows, 0.0);
 }
 
-// What a pass works with in a block of rows.
+// The columns of a pass for one block of rows.
 struct HiddenColumns {
-  double* activation = nullptr;  // one column a unit
-  double* slope = nullptr;       // 1 - activation², one column a unit; null where not wanted
-  double* error = nullptr;       // target less output; null where not wanted
-  bool weighted = false;         // slopes are times the unit's output weight
+  double* activation = nullptr;  // one column per unit
+  double* slope = nullptr;       // 1 - activation², one column per unit; null when not needed
+  double* error = nullptr;       // target minus output; null when not needed
+  bool weighted = false;         // slopes are multiplied by the unit's output weight
 };
 
-// Fills the columns for kVectors vectors of rows of a block, the first of them `at` within it and `first +
-// at` within the samples; activations are there already where they are kept.
+// Fills the columns for kVectors vectors of rows. The first row is `at` within the block and `first + at`
+// within the samples. Activations are not computed again when they are kept.
 template <bool kKept, std::size_t kInputs, std::size_t kVectors>
 HWY_INLINE void HiddenRows(const Network& network, const Samples& samples, std::size_t first, std::size_t at,
                            const HiddenColumns& columns) {
@@ -156,7 +156,7 @@ HWY_INLINE void HiddenRows(const Network& network, const Samples& samples, std::
   Each<kVectors>([&](std::size_t i) HWY_ATTR { hn::StoreU(error[i], kD, columns.error + at + i * kLanes); });
 }
 
-// Fills the columns for `rows` rows from `first` on, zero in the padding.
+// Fills the columns for `rows` rows from `first` on, with zeros in the padding.
 template <bool kKept = false>
 void HiddenBlock(const Network& network, const Samples& samples, std::size_t first, std::size_t rows,
                  const HiddenColumns& columns) {

@@ -44,7 +44,7 @@ HWY_INLINE void OutputRows(const Network& network, const Samples& samples, std::
   }
 }
 
-// Returns the sum of squared errors; stores the outputs unless null.
+// Returns the sum of squared errors; stores the outputs unless the pointer is null.
 double Forward(const PerceptronShape& shape, const double* weights, const Samples& samples, double* outputs) {
   V sums = hn::Zero(kD);
   const Network network{shape, weights, kNoColumns};

@@ -19,7 +19,7 @@ using test::Real;
 using test::RealVector;
 
 constexpr Real kTolerance = 1e-13L;
-// Around whole vectors and whole blocks of rows.
+// Numbers of samples near whole vectors and whole blocks of rows.
 constexpr std::size_t kRows[] = {1, 2, 7, 8, 9, 31, 32, 33, 255, 256, 257, 300};
 
 class PerceptronKernels : public test::OnInstructionSet {};
@@ -35,7 +35,7 @@ std::string describe(const PerceptronShape& shape, const Samples& samples) {
          std::to_string(samples.rows()) + " rows";
 }
 
-// |c| + sum |v|: no output is larger, and rounding is relative to it.
+// |c| + sum |v|: an upper bound of the output, to which rounding is relative.
 Real output_bound(const PerceptronShape& shape, const std::vector<double>& weights) {
   Real bound = 0;
   for (std::size_t j = shape.hidden_weights(); j < shape.parameters(); ++j) bound += std::abs(weights[j]);
@@ -76,7 +76,8 @@ TEST_P(PerceptronKernels, ExtremeWeightsGiveTheScalarOutputs) {
   RandomStream random(2);
   const PerceptronShape shape{.inputs = 3, .hidden = 5};
   Samples samples(3, 45);
-  // Odd multiples of 1/16: three of them and a bias never cancel, which would leave the argument to rounding.
+  // Odd multiples of 1/16: three of them and a bias never cancel. With cancellation the argument would be
+  // rounding.
   for (std::size_t k = 0; k < 3; ++k) {
     for (double& x : samples.input(k)) x = static_cast<double>(2 * random.index(16) + 1) / 16.0 - 1.0;
   }
@@ -145,7 +146,7 @@ TEST_P(PerceptronKernels, OutputOfARowDoesNotDependOnTheRowsAroundIt) {
 }
 
 // JᵀJ, Jᵀe and eᵀe as the last row and column of one matrix, with bounds for their elements: products of the
-// lengths of columns whose tanh' is taken as 1, because rounding does not shrink where a unit saturates.
+// lengths of columns in which tanh' is taken as 1, because rounding does not shrink where a unit saturates.
 struct ScalarNormalEquations {
   std::vector<RealVector> products;
   RealVector lengths;

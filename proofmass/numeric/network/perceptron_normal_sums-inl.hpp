@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normal equations of a network by all its weights, compiled once for every instruction set: included by
-// perceptron_kernels.cpp alone, through foreach_target, so without an ordinary include guard.
+// Normal equations of a network by all its weights, compiled once for every instruction set. Only
+// perceptron_kernels.cpp includes this file, through foreach_target, so it has no ordinary include guard.
 #if defined(PROOFMASS_PERCEPTRON_NORMAL_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_PERCEPTRON_NORMAL_SUMS_INL
 #undef PROOFMASS_PERCEPTRON_NORMAL_SUMS_INL
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace proofmass {
 namespace HWY_NAMESPACE {
 
-// Products of the inputs two and two, each input also taken alone: x_1 x_1, x_1 x_2, … x_1, x_2 x_2, … x_I.
+// Products of pairs of inputs, with each input alone as well: x_1 x_1, x_1 x_2, … x_1, x_2 x_2, … x_I.
 void MomentBlock(const Samples& samples, std::size_t first, std::size_t rows, double* moments) {
   for (std::size_t k = 0; k < samples.inputs(); ++k) {
     const double* const x = samples.input_data(k) + first;
@@ -43,7 +43,7 @@ void HiddenOutputBlock(const Network& network, const Samples& samples, std::size
               {.activation = hidden, .slope = error + kStride, .error = error});
 }
 
-// The sum of squared errors, in a pass that leaves activations and errors.
+// The sum of squared errors, in a pass that keeps activations and errors.
 double KeepingForward(const PerceptronShape& shape, const double* weights, const Samples& samples,
                       BlockColumns& columns) {
   const Network network{shape, weights, kNoColumns};
@@ -60,9 +60,9 @@ double KeepingForward(const PerceptronShape& shape, const double* weights, const
   return hn::GetLane(hn::SumOfLanes(kD, sums));
 }
 
-// The sums that make up JᵀJ, Jᵀe and eᵀe, and the columns of a block that they are taken over. As every
-// derivative by a hidden weight is a unit's output weight and slope times an input or one, products of two
-// slopes and of two inputs serve for many elements each.
+// The sums that JᵀJ, Jᵀe and eᵀe consist of, and the columns of a block that they are taken over. Every
+// derivative by a hidden weight is a unit's output weight and slope times an input or one. Products of two
+// slopes and of two inputs are therefore used for many elements each.
 class NormalSums {
  public:
   NormalSums(const Network& network, const Samples& samples, PerceptronColumns& columns)
@@ -82,7 +82,7 @@ class NormalSums {
                       outputs_);
   }
 
-  // `kept`: whether activations and errors are there already.
+  // `kept`: activations and errors are already filled.
   void run(bool kept) {
     kept = kept && columns_.hidden.keeps();
     const bool moments_kept = std::exchange(columns_.moments_known, columns_.moments.keeps());
@@ -131,14 +131,15 @@ class NormalSums {
     for (ProductSums* list : {&slopes_, &weights_, &biases_, &outputs_}) list->add(rows);
   }
 
-  // The number of the product of inputs k and l, input I being one; of one by itself that of all others.
+  // Index of the product of inputs k and l; input I is the constant one. The product of one with itself comes
+  // last.
   [[nodiscard]] std::size_t moment(std::size_t k, std::size_t l) const {
     const std::size_t low = std::min(k, l);
     return low * (2 * inputs_ + 1 - low) / 2 + std::max(k, l);
   }
 
-  // What a hidden weight of unit j, number `at` of all, has to do with the output layer, by `row` of the
-  // sums.
+  // Elements of a hidden weight of unit j (index `at` among all weights) with the output layer, from row
+  // `row` of the sums.
   void store_row(std::size_t j, std::size_t at, const ProductSums& sums, std::size_t row, Matrix& jtj,
                  double* jte) const {
     const double v = network_.output[j];
@@ -148,7 +149,7 @@ class NormalSums {
     jte[at] = v * sums.total(row, hidden_);
   }
 
-  // What the hidden weights of unit i have to do with those of unit j <= i.
+  // Elements of the hidden weights of unit i with those of unit j <= i.
   void store_pair(std::size_t j, std::size_t i, Matrix& jtj) const {
     const std::size_t pair = j * (2 * hidden_ - j - 1) / 2 + i;
     const std::size_t bias = hidden_ * inputs_;
@@ -167,10 +168,10 @@ class NormalSums {
   const Samples& samples_;
   PerceptronColumns& columns_;
   std::size_t inputs_, hidden_;
-  ProductSums slopes_;            // two of them with the products of inputs
-  ProductSums weights_, biases_;  // derivatives with activations and error, less the output weight
+  ProductSums slopes_;            // products of two slopes with the products of inputs
+  ProductSums weights_, biases_;  // derivatives with activations and error, without the output weight
   ProductSums outputs_;           // activations and error
-  double* scratch_ = nullptr;     // of columns that are not kept
+  double* scratch_ = nullptr;     // memory of columns that are not kept
 };
 
 }  // namespace HWY_NAMESPACE

@@ -15,7 +15,7 @@ double PerceptronProblem::evaluate(std::span<const double> weights) {
 void PerceptronProblem::linearise(Matrix& normal, std::span<double> gradient) {
   perceptron_normal_equations(shape_, current_, samples_, kept_ == current_, columns_, normal, gradient);
   kept_ = current_;
-  // The kernel differentiates the output; the residual is the target less the output.
+  // The kernel differentiates the output; the residual is the target minus the output.
   for (double& g : gradient) g = -g;
 }
 

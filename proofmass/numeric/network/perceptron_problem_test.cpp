@@ -30,7 +30,7 @@ RC_GTEST_PROP(PerceptronProblem, GradientIsHalfTheSlopeOfTheSumOfSquares, (std::
   PerceptronProblem problem(shape, samples);
   const double sum = problem.evaluate(weights);
   problem.accept();
-  // The trial point must not disturb the current one.
+  // The trial point must not change the current one.
   (void)problem.evaluate(std::vector<double>(shape.parameters(), 0.1));
   Matrix normal(shape.parameters(), shape.parameters());
   std::vector<double> gradient(shape.parameters());

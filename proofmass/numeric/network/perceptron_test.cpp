@@ -49,8 +49,8 @@ TEST(NguyenWidrow, DirectionsAreUniform) {
       squares[k] += std::pow(weights[k] / 0.7, 2);
     }
   }
-  // A component of a uniform direction has mean 0 and variance 1/3, its square variance 4/45: five
-  // deviations.
+  // A component of a uniform direction has mean 0 and variance 1/3, its square variance 4/45. The tolerance
+  // is five standard deviations.
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(sums[k] / draws, 0.0, 5.0 * std::sqrt(1.0 / 3.0 / draws));
     EXPECT_NEAR(squares[k] / draws, 1.0 / 3.0, 5.0 * std::sqrt(4.0 / 45.0 / draws));
@@ -69,7 +69,7 @@ TEST(RandomOutputLayer, FillsTheUnitInterval) {
   EXPECT_GT(*greatest, 0.98);
 }
 
-// The same function with units in another order and some of them turned.
+// The same function with the units in another order and some of their signs changed.
 std::vector<double> disguised(const PerceptronShape& shape, const std::vector<double>& weights,
                               RandomStream& random) {
   std::vector<double> result = weights;
@@ -91,7 +91,7 @@ RC_GTEST_PROP(CanonicalWeights, AreTheSameForAllDisguisesOfOneFunction, (std::ui
   const PerceptronShape shape{.inputs = 1 + random.index(3), .hidden = 1 + random.index(9)};
   std::vector<double> weights = test::random_vector(shape.parameters(), random);
   if (shape.hidden > 1 && random.index(2) == 0) {
-    // A unit that stands there twice, and a dead one.
+    // One unit appears twice, and one has no effect.
     std::copy_n(weights.begin(), shape.inputs, weights.begin() + static_cast<std::ptrdiff_t>(shape.inputs));
     weights[shape.hidden * shape.inputs + 1] = weights[shape.hidden * shape.inputs];
     weights[shape.hidden_weights() + shape.hidden - 1] = 0.0;

@@ -6,8 +6,8 @@
 namespace proofmass {
 namespace {
 
-// A number below `size` that differs from row to row without a period (Knuth's multiplicative hashing), so
-// that no order of set-ups that a test plan repeats is met in step.
+// A number below `size` that differs from row to row without a period (Knuth's multiplicative hashing). The
+// rows chosen are thus not in phase with a test plan that repeats its set-ups.
 std::size_t scattered(std::uint64_t row, std::uint64_t size) {
   constexpr std::uint64_t kLow = 0xffffffff;
   return static_cast<std::size_t>(((row * 2654435769U & kLow) * size) >> 32U);

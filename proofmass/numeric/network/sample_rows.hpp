@@ -8,13 +8,13 @@
 
 namespace proofmass {
 
-// Some of the samples, with their part of further columns.
+// A selection of the samples, with the same rows of further columns.
 struct SampleRows {
   Samples samples;
   ColumnBlock fixed;
 };
 
-// One of each of `rows` equal stretches, at most as many as there are samples.
+// Selects one row from each of `rows` equal stretches; at most as many rows as there are samples.
 [[nodiscard]] SampleRows one_of_each_stretch(const Samples& samples, const ColumnBlock& fixed,
                                              std::size_t rows);
 

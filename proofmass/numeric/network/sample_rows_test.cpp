@@ -31,7 +31,7 @@ TEST(SampleRows, AreOneOfEachStretchWithTheirColumns) {
     EXPECT_EQ(some.samples.target()[row], samples.target()[from]);
     EXPECT_EQ(some.fixed.column(1)[row], -samples.target()[from]);
   }
-  // Kernels pass over the padding.
+  // Kernels also process the padding.
   for (std::size_t row = 100; row < some.samples.padded_rows(); ++row) {
     EXPECT_EQ(some.samples.mask_data()[row], 0.0);
     EXPECT_EQ(some.fixed.column(0)[row], 0.0);

@@ -52,8 +52,8 @@ void TransformBlock(const double* const* phi, const Matrix& transform, std::size
   }
 }
 
-// kColumns columns of P = D - q * projection, number c[0] … of all: those of inputs[0] … of one unit, null
-// for its bias, for kVectors vectors of rows.
+// kColumns columns of P = D - q * projection, with indices c[0] … among all. They belong to one unit and to
+// inputs[0] … (null for its bias), for kVectors vectors of rows.
 template <std::size_t kColumns, std::size_t kVectors>
 HWY_INLINE void ProjectRows(const double* slope, const double* const* inputs, const double* q,
                             const Matrix& projection, const std::size_t* c, std::size_t at, double* p) {
@@ -102,7 +102,7 @@ void ProjectBlock(const PerceptronShape& shape, const Samples& samples, std::siz
   }
 }
 
-// The columns of a block that variable projection needs, those of earlier passes found where they are kept.
+// The columns of a block for variable projection. Columns kept from earlier passes are not computed again.
 class SeparableColumns {
  public:
   SeparableColumns(const SeparableNetwork& network, SeparableState& state, bool slopes)
@@ -141,12 +141,12 @@ class SeparableColumns {
     TransformBlock(phi_.data(), transform_, rows, block_);
   }
 
-  // After the last block: passes to come find what this one has filled.
+  // Call after the last block: later passes then find the columns that this pass has filled.
   void leave() { leave(std::max(state_.kept, slopes_ ? Kept::derivatives : Kept::basis)); }
   void leave(Kept kept) { state_.kept = kept; }
   [[nodiscard]] bool has_second() const { return keeps() && state_.kept == Kept::second; }
 
-  // Of the block filled last.
+  // The columns of the block filled last.
   [[nodiscard]] const double* q() const { return block_; }
   [[nodiscard]] const double* error() const { return block_ + basis() * kStride; }
   [[nodiscard]] double* second() const { return block_ + (basis() + 1) * kStride; }
@@ -169,7 +169,7 @@ class SeparableColumns {
   HiddenColumns hidden_;
 };
 
-// Second derivative of the output along `direction`, for the block of rows from `first` on: a unit with
+// Second derivative of the output along `direction`, for the block of rows from `first` on. A unit with
 // argument z and dz along the direction gives 2 dz (dv (1 - h²) - slope h dz).
 template <std::size_t kInputs>
 void SecondDerivativeBlock(const PerceptronShape& shape, const double* direction, const Samples& samples,

@@ -31,7 +31,7 @@ void BasisSums(const SeparableNetwork& network, SeparableState& state, BasisProd
   products.ee = sums.total(n, n);
 }
 
-// The slope of each unit with each input and one, times the columns of q.
+// Products of the slope of each unit times each input (and one) with the columns of q.
 void CrossSums(const SeparableNetwork& network, SeparableState& state, Matrix& dq) {
   const Samples& samples = network.samples;
   SeparableColumns columns(network, state, true);
@@ -64,7 +64,7 @@ void ProjectedSums(const SeparableNetwork& network, SeparableState& state, const
   const std::size_t n = columns.basis();
   ProductSums sums({.rows = p, .columns = p + 1, .upper = true});
   ProductSums by_basis({.rows = pq == nullptr ? 0 : p, .columns = n});
-  // P, then the error.
+  // The columns of P, followed by the error.
   double* const projected = LayOut((p + 1) * kStride + columns.scratch(), sums, by_basis);
   columns.start(projected + (p + 1) * kStride);
   for (std::size_t c = 0; c < p; ++c) sums.left[c] = {projected + c * kStride, nullptr};

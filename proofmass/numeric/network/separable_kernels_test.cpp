@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels of variable projection against plain dense algebra in extended precision.
+// Compares the kernels of variable projection with plain dense algebra in extended precision.
 #include "proofmass/numeric/network/separable_kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -112,7 +112,7 @@ struct Case {
     return columns;
   }
 
-  // Those less q * projection.
+  // D - q * projection.
   [[nodiscard]] Columns projected() const {
     Columns columns = jacobian();
     const Columns basis = q();
@@ -189,7 +189,7 @@ void expect_basis_products(const Case& c, const BasisProducts& products) {
 void expect_projected_products(const Case& c, const Matrix& dq, const Matrix& pp,
                                const std::vector<double>& pe) {
   const Columns p = c.projected();
-  Matrix whole = pp;  // of which the lower triangle is summed
+  Matrix whole = pp;  // only the lower triangle is summed
   for (std::size_t k = 0; k < p.size(); ++k) {
     for (std::size_t i = 0; i < k; ++i) whole(i, k) = pp(k, i);
   }
@@ -198,7 +198,7 @@ void expect_projected_products(const Case& c, const Matrix& dq, const Matrix& pp
   expect_products(p, {c.error()}, column(pe), "pe");
 }
 
-// Where the sums of a case go.
+// The sums of a case.
 struct Sums {
   explicit Sums(const Case& c)
       : basis(c.transform.columns()),
@@ -226,8 +226,8 @@ TEST_P(HiddenKernels, ProductsAreThoseOfTheColumns) {
   }
 }
 
-// What is kept stands for the hidden weights, the transform and the output weights in turn: a pass that is
-// told which of them are the same as before finds the right columns, kept or not.
+// The columns kept stand for the hidden weights, the transform and the output weights in turn. A pass that is
+// told which of them are unchanged must use the right columns, kept or not.
 TEST_P(HiddenKernels, ProductsAreTheSameOfColumnsKept) {
   for (Case& c : cases(3)) {
     SCOPED_TRACE(describe(c));
@@ -287,7 +287,7 @@ TEST_P(HiddenKernels, SecondDerivativeIsThatOfTheScalarNetwork) {
     sum_second_basis(c.network(), state, direction, products);
     EXPECT_EQ(state.kept, Kept::second);
     expect_products(q, second, column(products), "q");
-    // Less some of q, which need not be its projection.
+    // The second derivative minus a part in q, which need not be its projection.
     std::vector<double> removed(q.size());
     for (double& coefficient : removed) coefficient = random.normal();
     for (std::size_t k = 0; k < q.size(); ++k) {

@@ -25,14 +25,15 @@ ConstMap cview(const Matrix& m) {
 }
 
 constexpr int kPasses = 8;
-// Relative errors of the sum of squares that are good enough to train by, and to search by.
+// Relative errors of the sum of squares that suffice for training and for searching.
 constexpr double kTraining = 1e-12;
 constexpr double kSearching = 1e-4;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kRounding = 16.0 * kEpsilon;
-// Samples that tell of many more. What is left of a column of P may at least be this share of its square when
-// the C that they give is made right for all.
+// Number of samples in the pilot.
 constexpr std::size_t kPilotRows = 4096;
+// When the pilot's C is corrected for all samples, at least this fraction of the square of a column of P must
+// remain; otherwise the pass over the samples is repeated.
 constexpr double kLeastLeft = 1e-2;
 
 }  // namespace
@@ -101,14 +102,14 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
   Eigen::Map<Eigen::VectorXd> c(trial_.output_weights.data(), size);
   double sum = 0.0;
   trial_.state.kept = Kept::nothing;
-  // Each pass finds the error e of the weights so far, and the weights' correction from its normal equations
-  // on q: Newton's iteration for a linear problem, which ends when rounding no longer matters. Columns that
-  // are badly conditioned are first made orthogonal. From a good guess and the transform of a point nearby,
-  // or of some of the samples, one pass is usually enough.
+  // Each pass finds the error e of the present weights, and corrects the weights by its normal equations on
+  // q: Newton's iteration for a linear problem. It ends when rounding no longer matters. Badly conditioned
+  // columns are first made orthogonal. With a good guess, and the transform of a nearby point or of the
+  // pilot, one pass is usually enough.
   for (int pass = 1; pass <= kPasses; ++pass) {
     sum_products(trial_);
     if (!view(products_.qq).allFinite() || !std::isfinite(products_.ee)) {
-      c.setZero();  // nobody may start from such weights
+      c.setZero();  // such weights must not be the start of another solution
       return std::numeric_limits<double>::infinity();
     }
     const double condition = invert_gram(products_.qq, trial_.gram_inverse);
@@ -125,8 +126,8 @@ double SeparablePerceptron::solve(std::span<const double> hidden_weights, double
       if (trial_.transform(k, k) == 0.0) trial_.output_weights[k] = 0.0;
     }
   }
-  // Output weights so large that rounding alone moves the output by as much as the residual would make any
-  // residual, zero included, meaningless: what rounding may hide counts as error.
+  // Output weights can be so large that rounding alone changes the output as much as the residual does. Then
+  // any residual, even zero, is meaningless, so the error that rounding may hide is counted as error.
   const double rounding = kRounding * c.lpNorm<1>();
   return sum + rounding * rounding * static_cast<double>(samples_.rows());
 }
@@ -183,10 +184,10 @@ bool SeparablePerceptron::correct(Matrix& normal) {
   return (cview(normal).diagonal().array() >= kLeastLeft * before.array()).all();
 }
 
-// With P = D - q C, C = (qᵀq)⁻¹ qᵀD, the residual's Jacobian is -P. What is left of a column of D is often a
-// millionth of it: PᵀP from DᵀD and Dᵀq would be rounding. So a first pass finds C, a second sums what is
-// left; what rounding has left of q in it is a millionth of that again. A C from some of the samples leaves a
-// little of q, which is taken off the sums.
+// With P = D - q C, C = (qᵀq)⁻¹ qᵀD, the residual's Jacobian is -P. P is often a millionth of D, so PᵀP from
+// DᵀD and Dᵀq would be rounding only. A first pass therefore finds C, and a second sums the products of P
+// itself, in which the part of q that rounding leaves is a millionth of a millionth of D. A C from the pilot
+// leaves a little of q, which is subtracted from the sums.
 void SeparablePerceptron::linearise(Matrix& normal, std::span<double> gradient) {
   const std::vector<double> weights = all_weights(current_);
   if (pilot_) {
@@ -215,9 +216,9 @@ std::vector<double> SeparablePerceptron::second_in_basis(std::span<const double>
 }
 
 // With s the second derivative of the output along x + t * direction, the output weights following: Jᵀr" =
-// Pᵀs. The output weights' own second derivative moves the output within q, which P is orthogonal to. Their
-// first one is -C direction (in q's coordinates), as the linearisation has it, and what the residual adds to
-// the normal equations when the activations move.
+// Pᵀs. The second derivative of the output weights changes the output within q, to which P is orthogonal.
+// Their first derivative is -C direction (in q's coordinates) by the linearisation, plus the effect of the
+// residual on the normal equations when the activations change.
 bool SeparablePerceptron::curvature(std::span<const double> direction, std::span<double> result) {
   const auto p = static_cast<Eigen::Index>(direction.size());
   const auto n = static_cast<Eigen::Index>(columns());

@@ -15,16 +15,17 @@
 
 namespace proofmass {
 
-// Training of the hidden weights alone, the output layer solved by least squares inside: r = target projected
-// off the hidden activations (Golub & Pereyra 1973), its Jacobian by Kaufman's approximation (1975). x = the
-// hidden weights. evaluate passes once over the samples where it has a good guess of the output layer, else
-// twice or more, linearise and curvature twice; passes find what those before have computed, in at most 3 MiB
-// for each of the two points known. Of samples too many for that, some thousand, evenly spaced, tell
-// beforehand nearly what the first of two passes would find, so that each of the three passes once.
+// Training of the hidden weights alone. The output layer is solved by least squares inside: r = target
+// projected off the hidden activations (Golub & Pereyra 1973), with Kaufman's approximation of its Jacobian
+// (1975). x = the hidden weights. evaluate passes over the samples once when it has a good guess of the
+// output layer, otherwise twice or more; linearise and curvature pass twice. Passes reuse columns that
+// earlier ones have computed, in at most 3 MiB for each of two points. Above about 15,000 rows this cache
+// would not fit. A pilot of 4096 evenly spaced rows then predicts the result of the first pass and the second
+// pass corrects it, so each of the three functions passes once.
 class SeparablePerceptron final : public SumOfSquares {
  public:
-  // Keeps references. `fixed` are further columns that the output is linear in, of padded_rows() values, zero
-  // in the padding.
+  // Keeps references. `fixed` are further columns that the output is linear in, of padded_rows() values, with
+  // zeros in the padding.
   SeparablePerceptron(const PerceptronShape& shape, const Samples& samples);
   SeparablePerceptron(const PerceptronShape& shape, const Samples& samples, const ColumnBlock& fixed);
   SeparablePerceptron(const PerceptronShape& shape, Samples&& samples) = delete;
@@ -32,8 +33,8 @@ class SeparablePerceptron final : public SumOfSquares {
 
   [[nodiscard]] std::size_t parameters() const override { return shape_.hidden_weights(); }
   double evaluate(std::span<const double> hidden_weights) override;
-  // The same sum of squares to about four digits, for searches: in one pass where evaluate takes two. Leaves
-  // no trial point.
+  // The same sum of squares to about four digits, for searches: one pass where evaluate takes two. Sets no
+  // trial point.
   double estimate(std::span<const double> hidden_weights);
   void accept() override;
   void linearise(Matrix& normal, std::span<double> gradient) override;
@@ -43,20 +44,20 @@ class SeparablePerceptron final : public SumOfSquares {
   [[nodiscard]] const std::vector<double>& output_weights() const noexcept { return trial_.output_weights; }
 
  private:
-  // Everything known of one point.
+  // All values known at one point.
   struct Solution {
     std::vector<double> hidden_weights;
     std::vector<double> output_weights;
-    Matrix transform;     // upper triangular: phi * transform = q spans what phi does, well conditioned
+    Matrix transform;  // upper triangular: phi * transform = q spans the space of phi and is well conditioned
     Matrix gram_inverse;  // (qᵀq)⁻¹
     SeparableState state;
   };
 
   // Hidden units, bias and fixed columns.
   [[nodiscard]] std::size_t columns() const noexcept { return current_.output_weights.size(); }
-  // Output weights and transform for the trial point to begin with.
+  // Initial output weights and transform for the trial point.
   void guess(std::span<const double> hidden_weights, double tolerance);
-  // Output weights that the linearisation at the current point expects elsewhere.
+  // Output weights at another point, predicted by the linearisation at the current point.
   void predict(std::span<const double> hidden_weights, std::vector<double>& output_weights) const;
   // Solves for the output layer at the trial point until the relative error of the sum of squares is below
   // the tolerance.
@@ -64,12 +65,12 @@ class SeparablePerceptron final : public SumOfSquares {
   [[nodiscard]] static std::vector<double> all_weights(const Solution& solution);
   [[nodiscard]] SeparableNetwork network(std::span<const double> weights, const Matrix& transform) const;
   void sum_products(Solution& solution);
-  // Finds C at the current point.
+  // Computes C at the current point.
   void project();
-  // The current point becomes another problem's, whose C is nearly the one that is found.
+  // Takes over the current point of another problem, whose C is close to the one wanted.
   void follow(const Solution& point);
-  // C, PᵀP and Pᵀe from those of a C that was off, as Pᵀq shows. False where so much cancels that the pass
-  // over the samples is to be repeated with the C found.
+  // Computes C, PᵀP and Pᵀe from those of an inexact C, using Pᵀq. False when so much cancels that the pass
+  // over the samples must be repeated with the new C.
   bool correct(Matrix& normal);
   // Coefficients of q in the second derivative of the output along a direction of all weights.
   [[nodiscard]] std::vector<double> second_in_basis(std::span<const double> along);
@@ -80,12 +81,13 @@ class SeparablePerceptron final : public SumOfSquares {
   Solution current_, trial_;
   BasisProducts products_;
   bool linearised_ = false;  // at the current point
-  Matrix cross_;             // Dᵀq there; hidden weights by columns of q
-  Matrix projection_;        // (qᵀq)⁻¹ qᵀD there; columns of q by hidden weights
-  std::vector<double> pe_;   // Pᵀe there, which is Dᵀe as e is orthogonal to q
-  Matrix pq_;                // Pᵀq of a C that may be off
+  Matrix cross_;             // Dᵀq at the current point; hidden weights by columns of q
+  Matrix projection_;        // (qᵀq)⁻¹ qᵀD at the current point; columns of q by hidden weights
+  std::vector<double> pe_;   // Pᵀe at the current point; equals Dᵀe because e is orthogonal to q
+  Matrix pq_;                // Pᵀq of an inexact C
   std::unique_ptr<const SampleRows> pilot_rows_;
-  std::unique_ptr<SeparablePerceptron> pilot_;  // the same problem on some of many samples, otherwise null
+  std::unique_ptr<SeparablePerceptron>
+      pilot_;  // the same problem on the pilot rows; null when there are few samples
 };
 
 }  // namespace proofmass

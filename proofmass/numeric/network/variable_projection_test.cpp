@@ -46,7 +46,7 @@ Vector moved(Vector point, double step, const Vector& direction) {
   return point;
 }
 
-// A network that the samples determine, with a start by Nguyen and Widrow.
+// A network that the samples determine, started by Nguyen and Widrow.
 struct Case {
   explicit Case(std::uint64_t seed, std::size_t rows = 0)
       : random(seed),
@@ -82,7 +82,7 @@ RC_GTEST_PROP(SeparablePerceptron, StaysExactFromAnyCurrentPoint, (std::uint64_t
   Case c(seed);
   SeparablePerceptron problem(c.shape, c.samples);
   Vector point = c.weights;
-  // Each evaluation starts from the current point's factors, here of a point far away.
+  // Each evaluation starts from the current point's factors; here that point is far away.
   for (int step = 0; step < 4; ++step) {
     (void)problem.evaluate(point);
     problem.accept();
@@ -92,7 +92,7 @@ RC_GTEST_PROP(SeparablePerceptron, StaysExactFromAnyCurrentPoint, (std::uint64_t
   }
 }
 
-// The columns of -(I - Q Qᵀ) D: Kaufman's Jacobian, by residuals of least squares.
+// The columns of -(I - Q Qᵀ) D (Kaufman's Jacobian), as residuals of least squares.
 Matrix kaufman_jacobian(const Case& c, const Vector& output_weights) {
   const Matrix phi = activations(c.shape, c.weights, c.samples, c.shape.hidden);
   Matrix jacobian(c.samples.rows(), c.shape.hidden_weights());
@@ -108,8 +108,8 @@ Matrix kaufman_jacobian(const Case& c, const Vector& output_weights) {
   return jacobian;
 }
 
-// The largest error of what linearise gives at the case's weights, the normal equations' relative to the
-// longest column of the Jacobian, the gradient's relative to that and the residual.
+// The largest error of linearise at the case's weights: that of the normal equations relative to the longest
+// column of the Jacobian, that of the gradient relative to this and the residual.
 struct LinearisationErrors {
   double normal = 0.0, gradient = 0.0;
 };
@@ -180,7 +180,7 @@ double curvature_error(Case& c, SeparablePerceptron& problem) {
   Matrix normal(p, p);
   Vector gradient(p), result(p);
   problem.linearise(normal, gradient);
-  // So short that the step within the kernel hardly sees the third derivative.
+  // so short that the third derivative hardly affects the step within the kernel
   Vector direction = test::random_vector(p, c.random);
   for (double& d : direction) d *= 1e-3;
   if (!problem.curvature(direction, result)) return std::numeric_limits<double>::infinity();
@@ -211,7 +211,7 @@ RC_GTEST_PROP(SeparablePerceptron, CurvatureIsThatOfTheResidualsAlongTheDirectio
   RC_ASSERT(!problem.curvature(nowhere, result));
 }
 
-// Samples too many for their columns to be kept: some of them tell the way.
+// More samples than can keep their columns, so that a pilot predicts the first pass.
 Case many_samples(std::uint64_t seed) {
   Case c(seed, 40960);
   c.shape = {.inputs = c.shape.inputs, .hidden = 4};
@@ -238,7 +238,7 @@ TEST(SeparablePerceptron, IsExactOnManySamples) {
   }
 }
 
-// All that are looked at beforehand are from one corner.
+// All pilot rows come from one corner.
 TEST(SeparablePerceptron, IsExactWhereSomeSamplesTellLittleOfTheOthers) {
   Case c = many_samples(4);
   ColumnBlock numbers(1, c.samples.padded_rows());
@@ -251,8 +251,8 @@ TEST(SeparablePerceptron, IsExactWhereSomeSamplesTellLittleOfTheOthers) {
   expect_exact(c);
 }
 
-// Spoils the last unit of a network; the best that is left is the fit without it, or with it where it is
-// something of its own.
+// Makes the last unit of a network useless. The best fit left is the one without it, or with it where it is
+// independent of the others.
 RC_GTEST_PROP(SeparablePerceptron, DegenerateUnitsNeverGiveLessThanTheTrueMinimum, (std::uint64_t seed)) {
   RandomStream random(seed);
   const PerceptronShape shape{.inputs = 2, .hidden = 3 + random.index(3)};
@@ -294,15 +294,14 @@ RC_GTEST_PROP(SeparablePerceptron, NearlyEqualUnitsNeverGiveLessThanTheTrueMinim
     weights[11] = weights[8] + distance * random.normal();
     const double rss = reference_fit(shape, weights, samples).rss;
     const double sum = problem.evaluate(weights);
-    // The double nearest to an activation is off by 1e-16, and the difference of the two units is what
-    // counts.
+    // The double nearest to an activation is off by 1e-16, and here the difference of two units matters.
     RC_ASSERT(sum >= rss * (1.0 - 1e-13 / distance));
     RC_ASSERT(sum <= rss * (1.0 + 1e-11 / distance));
   }
 }
 
 TEST(SeparablePerceptron, SaturatedUnitsFitNoBetterThanTheirSteps) {
-  // With weights so large every unit is a step between neighbours of the sorted inputs.
+  // With weights this large every unit is a step between neighbours of the sorted inputs.
   RandomStream random(8);
   const PerceptronShape shape{.inputs = 1, .hidden = 3};
   const Samples samples = test::random_samples(1, 40, random);
@@ -329,7 +328,7 @@ TEST(SeparablePerceptron, NotANumberNeverLooksLikeAGoodFit) {
       EXPECT_FALSE(std::isnan(bad) && std::isfinite(value)) << "weight " << i;
     }
   }
-  // What was not accepted leaves no trace.
+  // A point that was not accepted must leave no trace.
   SeparablePerceptron other(c.shape, c.samples);
   (void)other.evaluate(c.weights);
   other.accept();
