@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How close every method comes to the floor on a simulated twin, over seeds: one Markdown table a noise
-// level.
+// Compares the errors of every method with the floor on a simulated twin, over seeds: one Markdown table per
+// noise level.
 //   accuracy TWIN.toml [seeds] [ols,bp-lm,...]
-// Seed s makes both the record and the method's own random numbers. The floor is the test RMSE of full-model
-// least squares on the same split; "x sigma" divides by the noise simulated.
+// Seed s determines both the record and the method's own random numbers. The floor is the test RMSE of
+// full-model least squares on the same split; "x sigma" divides by the simulated noise.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ struct Tally {
   std::vector<double> over_floor, over_sigma, seconds, epochs;
   double worst_error = 0.0;   // largest |coefficient error| / standard error
   double square_error = 0.0;  // sum of (error / standard error)²
-  double errors = 0.0;        // how many
+  double errors = 0.0;        // their number
 
   void add(const Identification& result, const StaticModel& truth, double floor, double sigma, double time) {
     over_floor.push_back(result.test->rmse / floor);
@@ -124,7 +124,7 @@ Tally measure(const SimulationPlan& plan, const Contestant& contestant, std::siz
   return tally;
 }
 
-// What the paper's swarm, and its rival of as many epochs, gain over textbook BP.
+// The gain of the paper's swarm, and of its multistart with as many epochs, over textbook BP.
 void print_ratios(const std::map<std::string, Tally>& tallies) {
   const auto bp = tallies.find("bp-lm");
   for (const char* const name : {"pso-bp-paper", "multistart-paper", "pso-bp"}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All methods on a simulated twin, over seeds, against what the best one could do: a Markdown table.
+// Compares all methods on a simulated twin, over seeds, with the best possible result: a Markdown table.
 //   methods TWIN.toml MODEL [seeds]
-// Seed s makes the record, the split and the method's own random numbers.
+// Seed s determines the record, the split and the method's own random numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,8 +27,8 @@ constexpr double kSmallInputSigma = 1e-6;  // g
 
 bool exact_inputs(const SimulationPlan& plan) { return plan.input_sigma == std::array<double, 3>{}; }
 
-// The uncertainties that tls and eiv need are those simulated, unless the record has them. Exact inputs they
-// refuse: there they are told of 1 µg.
+// tls and eiv get the simulated uncertainties, unless the record has them. They refuse exact inputs: then
+// they get an input uncertainty of 1 µg.
 std::vector<Entry> entries(const SimulationPlan& plan, const TermList& terms) {
   IdentifyOptions base;
   base.terms = terms;
@@ -67,8 +67,8 @@ std::vector<Entry> entries(const SimulationPlan& plan, const TermList& terms) {
   return list;
 }
 
-// Root mean square over the test rows of what no method can predict: measured output less the truth's output
-// at the true inputs or, where those are not recorded, at the recorded ones.
+// Root mean square over the test rows of the part that no method can predict: measured output minus the true
+// output at the true inputs or, where those are not recorded, at the recorded ones.
 double noise_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t seed) {
   SimulationPlan quiet = plan;
   quiet.noise = {};
@@ -85,8 +85,8 @@ double noise_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t
   return std::sqrt(sum / static_cast<double>(test.size())) / record.output_unit.to_canonical;
 }
 
-// The test error that the record allows: that of least squares with all terms or, where the terms cannot
-// represent the truth, the noise.
+// The floor of the test error: that of least squares with all terms or, where the terms cannot represent the
+// truth, the noise.
 double floor_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t seed,
                 const TermList& terms) {
   if (plan.unmodelled.saturating != 0.0 || plan.unmodelled.fourth_order != 0.0) {

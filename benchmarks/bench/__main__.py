@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs every section and writes what came out: python3 -m bench --build DIR --json FILE --tables FILE."""
+"""Runs every section and writes the results: python3 -m bench --build DIR --json FILE --tables FILE."""
 import argparse
 import dataclasses
 import datetime
@@ -16,7 +16,7 @@ from bench.contestants import Stable
 
 @dataclasses.dataclass
 class Plan:
-    """How much is measured."""
+    """The amount of measurement."""
 
     quick: bool
     folder: pathlib.Path  # of the data
@@ -51,7 +51,7 @@ def measure_limits(stable):
 
 
 def shares(results, rows):
-    """How near ours come to the bound."""
+    """Our kernels compared with the bound."""
     table = []
     for name, section, contestant, operations in (
         ("forward", "forward", "Proofmass", bounds.forward(3, 7)),
@@ -80,7 +80,7 @@ def measure(stable, plan, wanted):
             begin = time.monotonic()
             results[name] = section(stable, plan, checks)
             print(f"{name}: done in {time.monotonic() - begin:.0f} s", file=sys.stderr)
-    # The program chooses its instruction set itself, so there is nothing to force.
+    # The program chooses its instruction set itself; it cannot be forced.
     if not stable.target and (not wanted or "end_to_end" in wanted):
         results["end_to_end"] = program.end_to_end(stable, plan)
     results["bounds"] = shares(results, 1400)

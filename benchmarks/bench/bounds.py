@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The least time that the arithmetic of a network can take, from operation counts and the measured peak.
 
-Operations of the multiplication ports a sample, for a network of I inputs, H units and D = H (I + 2) + 1 weights; a
-fused product counts once, a division too, though it takes longer. Loads, stores and additions, which have ports of
-their own, are taken to be free, and with them products with a column of ones. The counts are those of our kernels
-(proofmass/numeric/*-inl.hpp); a JᵀJ of whole columns would take D (D + 1) / 2 where ours takes products of slopes with
-products of inputs.
+The counts are operations of the multiplication ports per sample, for a network of I inputs, H units and D = H (I + 2)
++ 1 weights. A fused product counts once, and so does a division, although it takes longer. Loads, stores and
+additions have ports of their own and count as free, and so do products with a column of ones. The counts are those of
+our kernels (proofmass/numeric/network/*-inl.hpp). A JᵀJ of whole columns would take D (D + 1) / 2; ours uses products
+of slopes with products of inputs.
 """
 
 TANH = 11  # two bounds, six of the polynomial, one of the table, m; the quotient
-FINE_TANH = 13  # of training: one more of the polynomial, and of the table
+FINE_TANH = 13  # in training: one more for the polynomial and one for the table
 UNIT_OUTPUT = 1  # v_j h_j, summed; the argument b_j + w_j . x takes I
 RESIDUAL = 2  # less the padding's; its square, summed
 UNIT_SLOPE = 1  # 1 - h_j²; output weights multiply the sums
@@ -35,7 +35,7 @@ def normal_equations(inputs, hidden):
 
 
 def solution(inputs, hidden):
-    """Cholesky's factor and the two triangular systems: an epoch, not a sample."""
+    """Cholesky factor and the two triangular systems: per epoch, not per sample."""
     weights = hidden * (inputs + 2) + 1
     return weights**3 / 6 + weights**2
 

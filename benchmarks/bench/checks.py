@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether contestants reached what they say, computed again here by one program for all."""
+"""Checks the results that contestants report: one program computes them again for all."""
 import sys
 
 import numpy as np
@@ -46,12 +46,12 @@ def stated_rmse(checks, what, answers, folder):
         answer = list_of_answers[-1]
         again = np.array([network.rmse(np.array(w), x, target) for w in answer["weights"]])
         error = np.max(np.abs(np.array(answer["values"]) / again - 1.0))
-        # Near the noise, at 5e-8 of the output's range, large output weights leave no more digits than this.
+        # Near the noise (5e-8 of the output's range) large output weights leave no more digits.
         checks.expect(f"{what}, {name}: RMSE stated and that of the weights handed in", error, 1e-4)
 
 
 def same_steps(checks, answers, reference):
-    """The same algorithm must be at the same place after a few epochs."""
+    """The same algorithm must be at the same point after a few epochs."""
     truth = np.array(answers[reference][-1]["values"])
     for name, list_of_answers in present(answers):
         error = np.max(np.abs(np.array(list_of_answers[-1]["values"]) / truth - 1.0))
@@ -59,7 +59,7 @@ def same_steps(checks, answers, reference):
 
 
 def same_fit(checks, answers, path, reference):
-    """Predictions by the coefficients, in g, on the first rows; the noise is 1e-6 g."""
+    """Predictions from the coefficients, in g, on the first rows; the noise is 1e-6 g."""
     rows = path.stat().st_size // 32
     columns = np.memmap(path, dtype=float, mode="r").reshape(4, rows)[:, :1000]
     design = numpy_peer.design(*np.array(columns[:3]))

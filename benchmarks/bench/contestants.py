@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a contestant is started: a process of its own that answers by one line of JSON."""
+"""Starts a contestant: a process of its own that answers with one line of JSON."""
 import dataclasses
 import json
 import os
@@ -28,7 +28,7 @@ class Failed(Exception):
 
 
 class Stable:
-    """The contestants there are, and what their processes share."""
+    """All contestants, and the settings that their processes share."""
 
     def __init__(self, build, target, instructions):
         self.instructions = instructions  # sets of them that the processor has
@@ -43,7 +43,7 @@ class Stable:
         return Contestant(name, [str(self.bin / "bench_ours")], settings)
 
     def ours_by_avx2(self, name, **settings):
-        """The same with AVX2 forced, for the many processors that have no more; none where that is forced already."""
+        """The same with AVX2 forced, as on the many processors without AVX-512; none when it is forced already."""
         if self.target or "avx512f" not in self.instructions:
             return []
         return [self.ours(name + ", AVX2 forced", target="avx2", **settings)]
@@ -71,7 +71,7 @@ class Stable:
 
 
 def quiet_environment():
-    """One thread each, and no setting that makes OpenBLAS take slower kernels than the processor's best."""
+    """One thread each, and no setting that makes OpenBLAS use slower kernels than the processor's best."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("OPENBLAS_", "OMP_", "GOTO_"))}
     environment.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", LC_ALL="C.UTF-8")
     environment["PYTHONPATH"] = ""

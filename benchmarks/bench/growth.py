@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How time a sample, and memory, grow with rows and with hidden units."""
+"""Growth of the time per sample, and of memory, with rows and with hidden units."""
 import statistics
 
 from bench import bounds
@@ -12,7 +12,7 @@ EPOCHS = 10
 
 
 def costs(stable, plan, start, peers, **flags):
-    """Of forward evaluation and of training from one start."""
+    """Growth of forward evaluation and of training from one start."""
     flags.update(data=plan.folder / "samples.csv", starts=plan.folder / start, seconds=plan.seconds)
     trainers = [stable.ours("lm", variant="lm"), stable.ours("varpro", variant="varpro"), *peers]
     answers = {

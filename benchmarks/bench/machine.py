@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The machine, and the OpenBLAS kernels that serve the peers best on it."""
+"""The machine, and the OpenBLAS kernels that are fastest for the peers on it."""
 import os
 import pathlib
 import platform
@@ -34,7 +34,7 @@ def flags():
 
 
 def choose_blas(stable, folder):
-    """OpenBLAS guesses its kernels from the processor's name; the fastest for the tuned GSL is taken for all."""
+    """Kernels that are fastest for the tuned GSL, used for all; OpenBLAS chooses by the processor's name."""
     candidates = [""]
     candidates += ["Haswell", "Zen"] if "avx2" in flags() else []
     candidates += ["SkylakeX"] if "avx512f" in flags() else []

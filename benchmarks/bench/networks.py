@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The hot paths of networks, against every peer."""
+"""The hot paths of networks, compared with every peer."""
 import json
 
 from bench import checks as check

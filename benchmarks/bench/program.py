@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The program as its users start it: time from start to end of the process, by the clock and of the processors."""
+"""The whole program as users start it: wall-clock and processor time from start to end of the process."""
 import json
 import os
 import resource
@@ -10,7 +10,7 @@ import time
 
 
 def run(stable, *words):
-    """Seconds by the clock, and of processors."""
+    """Wall-clock and processor seconds."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     begin = time.perf_counter()
     subprocess.run(
@@ -23,7 +23,7 @@ def run(stable, *words):
 
 
 def line(name, times, which="median"):
-    """What is said of several runs: their median, or the worst of them."""
+    """The figure of several runs: their median, or the worst of them."""
     choose = {"median": statistics.median, "worst": max}[which]
     seconds, processor = zip(*times)
     return {

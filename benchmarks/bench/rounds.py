@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rounds in which every contestant runs once, so that what disturbs the machine meets all alike."""
+"""Rounds in which every contestant runs once, so that a disturbance of the machine affects all of them."""
 import statistics
 import sys
 
@@ -7,7 +7,7 @@ from bench.contestants import Failed
 
 
 def interleave(stable, contestants, rounds, task, **flags):
-    """name -> answers, one a round. Contestants that are not installed, or fail, are named on stderr."""
+    """name -> answers, one per round. Contestants that are not installed, or fail, are named on stderr."""
     answers = {}
     for contestant in contestants:
         if contestant.available():

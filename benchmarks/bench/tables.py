@@ -18,7 +18,7 @@ def span(figure, digits=short):
 
 
 def race(summary, unit, extra=()):
-    """A contestant a row: median, its spread, ratio to ours in the same round, its spread."""
+    """One row per contestant: median, its spread, ratio to ours in the same round, its spread."""
     rows = []
     for name, figures in summary.items():
         if "failed" in figures:
@@ -31,7 +31,7 @@ def race(summary, unit, extra=()):
 
 
 def rates(summary):
-    """The race in MB/s; times are a byte."""
+    """The comparison in MB/s; times are per byte."""
     rows = [
         [name, short(1e3 / f["ns"]["median"]), short(f["ratio"]["median"]), span(f["ratio"])]
         for name, f in summary.items() if "failed" not in f

@@ -11,12 +11,12 @@
 namespace bench {
 
 struct Answer {
-  double ns = 0.0;       // processor time of a unit of work: particle x sample, epoch x sample, row, byte
+  double ns = 0.0;       // processor time per unit of work: particle x sample, epoch x sample, row, byte
   double seconds = 0.0;  // of one repetition
   std::size_t repetitions = 0;
-  std::vector<double> values;                // what was reached: RMSE of each network, coefficients, …
+  std::vector<double> values;                // results: RMSE of each network, coefficients, …
   std::vector<double> counts;                // training: epochs of each start
-  std::vector<std::vector<double>> weights;  // training: where each start ended
+  std::vector<std::vector<double>> weights;  // training: final weights of each start
   std::map<std::string, std::string> about;  // library versions, instruction set, kernels in use
 };
 
@@ -30,7 +30,7 @@ inline std::string json_list(const std::vector<double>& numbers) {
   return text + "]";
 }
 
-// Peak resident memory. getrusage() would count what the process was before it became this program.
+// Peak resident memory. getrusage() would include the process before it became this program.
 inline long peak_memory_kib() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {

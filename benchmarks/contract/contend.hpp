@@ -19,15 +19,15 @@
 
 namespace bench {
 
-// Processor time of the process, all its threads together: on an idle machine that of one thread is the time
-// that passes, and a busy neighbour's time slices do not count.
+// Processor time of the process, all threads together. On an idle machine it is the wall-clock time for one
+// thread; time slices of other processes do not count.
 inline double processor_seconds() {
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Runs the work once to warm up (short work only) and then until `seconds` are spent; the median run counts.
+// Runs the work once to warm up (short work only), then until `seconds` have passed. The median run counts.
 inline Answer measure(double seconds, const std::function<void()>& work) {
   std::vector<double> times;
   const auto once = [&] {
@@ -48,11 +48,11 @@ inline Answer measure(double seconds, const std::function<void()>& work) {
   return answer;
 }
 
-// Where training from one start ended.
+// The result of training from one start.
 struct Trained {
   std::vector<double> weights;
   double rmse = 0.0;       // of the scaled output over the training samples
-  std::size_t epochs = 0;  // Jacobians computed, as near as the program can tell
+  std::size_t epochs = 0;  // Jacobians computed, as exactly as the program can tell
 };
 using TrainOne = std::function<Trained(std::span<const double> start, std::size_t epochs)>;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a contestant is asked, the same for ours and theirs:
+// The request to a contestant, the same for ours and the peers:
 //   PROGRAM TASK --data FILE [--starts FILE] [--variant NAME] [--seconds S] [--epochs K] [--rows N]
-//     [--hidden H] [--target T]
-// It answers by one line of JSON (answer.hpp). Tasks: forward, train, least-squares, read.
+//   [--hidden H] [--target T]
+// The answer is one line of JSON (answer.hpp). Tasks: forward, train, least-squares, read.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@ namespace bench {
 struct Request {
   std::string task;
   std::string data;        // samples (forward, train), columns of doubles (least-squares), a record (read)
-  std::string starts;      // weights, one network a row
+  std::string starts;      // weights, one network per row
   std::string variant;     // the algorithm, where a program has several
-  std::string target;      // instruction set of ours: sse4, avx2, avx3; the best there is when empty
-  double seconds = 0.3;    // repeats until so much processor time is spent
+  std::string target;      // instruction set of our kernels: sse4, avx2, avx3; empty: the best available
+  double seconds = 0.3;    // repeats until this much processor time has passed
   std::size_t epochs = 0;  // of training, at most
-  std::size_t rows = 0;    // repeats the samples up to so many rows; 0: as they are
+  std::size_t rows = 0;    // repeats the samples up to this many rows; 0: no repetition
   std::size_t hidden = 7;  // tanh units
 };
 

@@ -30,8 +30,8 @@ inline std::vector<Row> read_table(const std::string& path) {
   return table;
 }
 
-// Scaled inputs and target of the networks, a row each: x1, x2, x3, target. Asked for more rows than the file
-// has, it repeats them: the cost grows, the optimum stays.
+// Scaled inputs and target of the networks, one row each: x1, x2, x3, target. When more rows are asked for
+// than the file has, they are repeated: the cost grows, and the optimum stays the same.
 struct NetworkSamples {
   std::vector<Row> file;
   std::size_t rows = 0;

@@ -10,7 +10,7 @@
 
 namespace bench {
 
-// Run-time dispatch goes to this instruction set from here on: sse4, avx2, avx3.
+// From here on, run-time dispatch uses this instruction set: sse4, avx2 or avx3.
 inline void force_target(const std::string& name) {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     std::string known = hwy::TargetName(target);

@@ -16,10 +16,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 constexpr D kD;
-constexpr std::size_t kChains = 12;  // independent, more than latency times ports
+constexpr std::size_t kChains = 12;  // independent; more than latency times ports
 constexpr std::size_t kSteps = 4096;
 
-// Applies `operation` to kChains chains, kSteps times each; returns something that depends on all of them.
+// Applies `operation` to kChains chains, kSteps times each. Returns a value that depends on all of them.
 template <typename Operation>
 double Chains(double x, const Operation& operation) {
   const V first = hn::Iota(kD, x);
@@ -51,7 +51,7 @@ double Divide(double x) {
   const V n = hn::Set(kD, x);
   return Chains(x, [=](V v) { return hn::Div(n, v); });
 }
-// The order stays as it is, which the compiler cannot know.
+// The compiler does not know that the order stays the same.
 double Permute(double x) {
   const auto indices =
       hn::IndicesFromVec(kD, hn::Iota(hn::RebindToSigned<D>(), static_cast<std::int64_t>(x) - 1));

@@ -9,11 +9,11 @@ namespace bench {
 inline constexpr std::size_t kLoadDoubles = 2048;  // 16 KiB
 inline constexpr std::size_t kLoadRepeats = 32;
 
-// Of the instruction set that dispatch chooses. What the functions return depends on all they did.
+// For the instruction set that dispatch chooses. The return values depend on all the work.
 struct Kernels {
   const char* target;
   std::size_t lanes;
-  std::size_t operations;  // vectors that fma … permute work on
+  std::size_t operations;  // vectors processed by fma … permute
   double (*fma)();
   double (*add)();
   double (*min)();

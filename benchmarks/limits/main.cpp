@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one core of this machine can do with an instruction set: the measured peaks that bench/bounds.py sets
-// the kernels against. Prints one line of JSON.
+// Measures the peak rates of one core of this machine with an instruction set, for bench/bounds.py to compare
+// with the kernels. Prints one line of JSON.
 //   bench_limits [TARGET]
 #include <fmt/format.h>
 #include <hwy/aligned_allocator.h>
@@ -22,7 +22,7 @@ namespace {
 
 using namespace bench;
 
-// Seconds of the fastest of many short runs: a limit is what the machine does when nothing disturbs it.
+// Seconds of the fastest of many short runs: the limit is the speed of the undisturbed machine.
 double fastest(const std::function<void()>& work) {
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
@@ -37,7 +37,7 @@ double fastest(const std::function<void()>& work) {
   return best;
 }
 
-// Results go here, so that no work is optimised away.
+// Results are stored here, so that the compiler cannot remove the work.
 volatile double sink = 0.0;
 
 double per_second(const Kernels& machine, double (*kernel)()) {

@@ -5,7 +5,7 @@
 
 namespace bench {
 
-// tanh as the product's kernels compute it; false when the library does not offer it by itself.
+// tanh as the product's kernels compute it; false when the library does not export it.
 bool product_tanh(std::span<const double> z, std::span<double> result);
 
 }  // namespace bench

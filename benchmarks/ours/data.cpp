@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes what every contestant works on:
+// Writes the data of all contestants:
 //   bench_data TWIN.toml FOLDER [ROWS]...
 // samples.csv and test.csv: x1, x2, x3, target of the training and test rows, scaled to [-1, 1] by the
 // training rows; starts.csv: ten networks to train; swarm.csv: fifty to evaluate; starts-H.csv: one with H
-// hidden units; scale.json: what a scaled output of 1 stands for, over the noise; columns-ROWS.f64: Ai, Ao,
-// Ap, E of a longer record.
+// hidden units; scale.json: the output that a scaled value of 1 stands for, over the noise; columns-ROWS.f64:
+// Ai, Ao, Ap, E of a longer record.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -32,7 +32,7 @@ void write_samples(const fs::path& path, const Samples& samples) {
   }
 }
 
-// All weights, by Nguyen and Widrow, with a random output layer.
+// All weights of a network, by Nguyen and Widrow, with a random output layer.
 void write_starts(const fs::path& path, std::size_t hidden, std::size_t first, std::size_t count) {
   std::ofstream file(path);
   const PerceptronShape shape{.inputs = 3, .hidden = hidden};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proofmass as a contestant; contract/request.hpp has the contract.
+// Proofmass as a contestant; the contract is in contract/request.hpp.
 #include "contract/target.hpp"
 #include "ours/tasks.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"

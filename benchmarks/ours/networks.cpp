@@ -28,7 +28,7 @@ Samples as_samples(const NetworkSamples& rows) {
   return samples;
 }
 
-// Times evaluate(shape, weights, samples), which returns a sum of squares, over all networks given: ns a
+// Times evaluate(shape, weights, samples), which returns a sum of squares, over all networks given: ns per
 // network and sample, and each network's RMSE.
 template <typename Evaluate>
 Answer time_networks(const Request& request, const Evaluate& evaluate) {
@@ -47,7 +47,7 @@ Answer time_networks(const Request& request, const Evaluate& evaluate) {
   return answer;
 }
 
-// Training of all weights by the damping that GSL and Ceres use too, which seldom tries a point in vain.
+// Training of all weights with the damping of GSL and Ceres, which rarely tries a point without success.
 Answer train_by_gain(const Request& request, const NetworkSamples& rows, const PerceptronShape& shape,
                      const Samples& samples) {
   return contend_training(request, rows, [&](std::span<const double> start, std::size_t epochs) {
@@ -82,7 +82,7 @@ Answer kernels(const Request& request) {
   });
 }
 
-// Variants: varpro, which takes the hidden weights of a start and solves the rest, and lm.
+// Variants: varpro, which takes the hidden weights of a start and solves for the rest, and lm.
 Answer train(const Request& request) {
   const PerceptronShape shape{.inputs = kInputs, .hidden = request.hidden};
   const NetworkSamples rows = read_samples(request);

@@ -9,8 +9,8 @@
 
 namespace bench::ours {
 
-// All 21 terms on columns Ai, Ao, Ap, E; answers the coefficients. Variants: ols, and wls, with weights that
-// are all the same, so that the coefficients are too.
+// All 21 terms on columns Ai, Ao, Ap, E; the answer has the coefficients. Variants: ols, and wls with equal
+// weights, so that the coefficients are equal too.
 Answer least_squares(const Request& request) {
   std::vector<std::vector<double>> columns = read_columns(request.data, 4);
   proofmass::Dataset record;
@@ -28,7 +28,7 @@ Answer least_squares(const Request& request) {
   return answer;
 }
 
-// Answers the number of rows and the mean square of E; a unit of work is a byte.
+// The answer has the number of rows and the mean square of E. A unit of work is a byte.
 Answer read(const Request& request) {
   proofmass::Dataset record;
   Answer answer = measure(request.seconds, [&] { record = proofmass::read_record(request.data); });

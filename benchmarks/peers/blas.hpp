@@ -7,7 +7,7 @@
 
 namespace bench::peers {
 
-// The processor that the OpenBLAS in use chose its kernels for; "not OpenBLAS" where it is another library.
+// The processor type for which OpenBLAS chose its kernels; "not OpenBLAS" for another library.
 inline std::string blas_kernel() {
   using Name = char* (*)();
   const auto name = reinterpret_cast<Name>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));

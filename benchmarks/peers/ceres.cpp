@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ceres' Levenberg-Marquardt with analytic Jacobian; variants batched (one cost function for all samples,
-// tanh in vectors) and rows (a residual block a sample, the usual form), each also with -qr.
+// Ceres' Levenberg-Marquardt with analytic Jacobian. Variants: batched (one cost function for all samples,
+// vector tanh) and rows (a residual block per sample, the usual form), each also with -qr.
 #include <ceres/ceres.h>
 #include <ceres/version.h>
 
@@ -61,7 +61,7 @@ class OneSample final : public ceres::SizedCostFunction<1, kParameters> {
   const Row& sample_;
 };
 
-// Ceres counts rejected steps among its iterations; an epoch here is a step taken.
+// Ceres counts rejected steps as iterations; an epoch here is an accepted step.
 class StepLimit final : public ceres::IterationCallback {
  public:
   explicit StepLimit(std::size_t steps) : steps_(steps) {}

@@ -22,7 +22,7 @@ def request():
 
 
 def samples(asked):
-    """Inputs, one a column, and target."""
+    """Inputs, one per column, and target."""
     table = np.loadtxt(asked.data, delimiter=",")
     return np.asfortranarray(table[:, :-1]), table[:, -1].copy()
 
@@ -50,7 +50,7 @@ def measure(seconds, work):
 
 
 def blas_kernel():
-    """The processor that the OpenBLAS in use chose its kernels for."""
+    """The processor type for which OpenBLAS chose its kernels."""
     with open("/proc/self/maps", encoding="utf-8") as maps:
         paths = {line.split()[-1] for line in maps if "blas" in line}
     for path in sorted(paths):
@@ -64,7 +64,7 @@ def blas_kernel():
 
 
 def answer(seconds, repetitions, units, values, counts=(), weights=(), **about):
-    """Prints it; `units` of work were done in `seconds`."""
+    """Prints the answer; `units` of work were done in `seconds`."""
     with open("/proc/self/status", encoding="ascii") as status:
         peak = next(int(line.split()[1]) for line in status if line.startswith("VmHWM:"))
     json.dump(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// GSL's nonlinear least squares; variants lm and lmaccel (with geodesic acceleration). The same program is
-// linked to the BLAS that GSL brings and to OpenBLAS.
+// GSL's nonlinear least squares. Variants: lm and lmaccel (with geodesic acceleration). The same program is
+// linked to GSL's own BLAS and to OpenBLAS.
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
@@ -44,7 +44,7 @@ gsl_multifit_nlinear_fdf problem_of(Network& network) {
   return problem;
 }
 
-// An iteration of GSL ends with a step taken, or with an error when it finds none.
+// An iteration of GSL ends with an accepted step, or with an error when there is none.
 Trained train_one(gsl_multifit_nlinear_workspace* work, gsl_multifit_nlinear_fdf& problem,
                   std::span<const double> start, std::size_t epochs) {
   const gsl_vector_const_view x = gsl_vector_const_view_array(start.data(), start.size());
@@ -64,7 +64,7 @@ Answer train(const Request& request) {
   Network network(samples);
   gsl_multifit_nlinear_fdf problem = problem_of(network);
   gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
-  parameters.solver = gsl_multifit_nlinear_solver_cholesky;  // its fastest
+  parameters.solver = gsl_multifit_nlinear_solver_cholesky;  // its fastest solver
   parameters.trs =
       request.variant == "lmaccel" ? gsl_multifit_nlinear_trs_lmaccel : gsl_multifit_nlinear_trs_lm;
   const std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)> work(

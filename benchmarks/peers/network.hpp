@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The network as a careful user of another library would write it: samples in columns, blocks that stay in
-// cache, loops that a compiler can vectorise. The build compiles it twice, see CMakeLists.txt: plainly, where
-// tanh is the C library's scalar one, and with -O3 -march=native -ffast-math, where it is libmvec's vectors.
+// the cache, loops that a compiler can vectorise. The build compiles it twice (see CMakeLists.txt): plainly,
+// with the C library's scalar tanh, and with -O3 -march=native -ffast-math, with libmvec's vector tanh.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class Network {
 
   [[nodiscard]] double sum_of_squares(const double* weights) const;
   void residuals(const double* weights, double* result);
-  // Row-major: kParameters values a sample. Hidden outputs are kept from the last call with these weights.
+  // Row-major: kParameters values per sample. Hidden outputs are kept from the last call with these weights.
   void jacobian(const double* weights, double* result);
   // Second derivative of the residuals along `direction`.
   void second_derivative(const double* weights, const double* direction, double* result);
@@ -37,7 +37,7 @@ class Network {
   std::vector<double> inputs_[kInputs];
   std::vector<double> target_;
   std::vector<double> hidden_;     // outputs of unit j from j * rows_
-  std::vector<double> activated_;  // the weights they belong to
+  std::vector<double> activated_;  // the weights of these outputs
 };
 
 }  // namespace bench::peers

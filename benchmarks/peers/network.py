@@ -30,7 +30,7 @@ def rmse(weights, x, target):
 
 
 def jacobian(weights, x, h, result):
-    """Of the outputs by the weights, into `result`, whose columns are contiguous."""
+    """Jacobian of the outputs by the weights, written to `result`, whose columns are contiguous."""
     _, _, v, _ = parts(weights)
     hidden = len(v)
     slope = v * (1.0 - h * h)

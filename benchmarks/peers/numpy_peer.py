@@ -20,7 +20,7 @@ def forward(asked):
 
 
 def levenberg_marquardt(x, target):
-    """The textbook's (Hagan & Menhaj 1994), with MATLAB trainlm's damping: what --trainer lm does."""
+    """The textbook's loop (Hagan & Menhaj 1994) with MATLAB trainlm's damping, as in --trainer lm."""
     jacobian = np.empty((len(target), 0), order="F")
 
     def train(start, epochs):
@@ -77,7 +77,7 @@ def design(i, o, p):
 
 
 def least_squares(asked):
-    """lstsq alone: the design is there already and its making is not counted."""
+    """lstsq only: the time to make the design is not counted."""
     i, o, p, e = np.fromfile(asked.data).reshape(4, -1)
     terms = design(i, o, p)
     result = []
@@ -103,7 +103,7 @@ def read(asked):
 
 
 def header_lines(path):
-    """Comments and the line of names."""
+    """Number of lines to skip: comments and the line of names."""
     with open(path, encoding="utf-8") as file:
         return next(k for k, line in enumerate(file, 1) if not line.startswith("#"))
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Octave as a contestant, written in matrices as its users write: networks one by one, the textbook's
-# Levenberg-Marquardt loop, dlmread. The contract is that of contract/request.hpp.
+# Octave as a contestant, in matrix operations as its users write them: networks one by one, the textbook's
+# Levenberg-Marquardt loop, dlmread. The contract is in contract/request.hpp.
 1;
 
 function asked = request()

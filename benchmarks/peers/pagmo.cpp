@@ -13,7 +13,7 @@ namespace {
 
 using namespace bench;
 
-// What a pagmo user writes. pagmo copies problems, so the samples are shared.
+// As a pagmo user would write it. pagmo copies problems, so the samples are shared.
 struct NetworkProblem {
   std::shared_ptr<const peers::Network> network;
 

@@ -8,7 +8,7 @@ from scipy.optimize import least_squares
 
 
 class EpochsSpent(Exception):
-    """SciPy limits evaluations only; an epoch is a Jacobian, and each is at the best point so far."""
+    """SciPy limits evaluations only. An epoch is a Jacobian; each is computed at the best point so far."""
 
 
 def trainer(x, target):
