@@ -25,7 +25,7 @@ class RowBlock {
 
  private:
   static constexpr std::size_t kStride =
-      kRows + 8;  // columns at multiples of whole KiB would share the cache's sets
+      kRows + 8;  // whole KiB would put all columns into the same cache sets
 
   std::size_t columns_ = 0;
   AlignedColumn data_;
