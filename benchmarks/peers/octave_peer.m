@@ -16,7 +16,7 @@ function asked = request()
   end
 end
 
-# `work` returns what it made; that of the last run comes back too.
+# Also returns the result of the last run of `work`.
 function [seconds, repetitions, made] = measure(limit, work)
   times = [];
   begin = cputime();

@@ -87,7 +87,7 @@ struct Diagnostics {
   std::optional<double> r2_adjusted;
   std::optional<double> condition_raw;     // 2-norm condition number of the design matrix
   std::optional<double> condition_scaled;  // the same with columns scaled to unit length
-  // Share of hidden activations with |tanh| > 0.99 over the training rows.
+  // Fraction of hidden activations with |tanh| > 0.99 over the training rows.
   std::optional<double> saturated_share;
   // Rms over the training rows of the model's projection of the network's residual: what the network adds to
   // least squares' coefficients.

@@ -24,8 +24,7 @@ class RowBlock {
   [[nodiscard]] const double* column(std::size_t c) const noexcept { return data_.data() + c * kStride; }
 
  private:
-  static constexpr std::size_t kStride =
-      kRows + 8;  // whole KiB would put all columns into the same cache sets
+  static constexpr std::size_t kStride = kRows + 8;  // whole KiB would put columns into the same cache sets
 
   std::size_t columns_ = 0;
   AlignedColumn data_;
