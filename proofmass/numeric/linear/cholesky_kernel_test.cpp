@@ -103,8 +103,7 @@ TEST_P(CholeskyKernel, RefusesWhatPivotsAloneDoNotShow) {
   for (std::size_t column = 0; column + 1 < n; ++column) {
     for (const double value : {std::numeric_limits<double>::quiet_NaN(), 1e9}) {
       PaddedSquare matrix = random_gram(n, random);
-      matrix.column(column)[n - 1] =
-          value;  // larger than the diagonal elements of a positive definite matrix allow
+      matrix.column(column)[n - 1] = value;  // too large for a positive definite matrix
       reused.matrix() = matrix;
       EXPECT_FALSE(reused.factor()) << column << ", " << value;
       // A failure must not affect the next matrix in the same memory.

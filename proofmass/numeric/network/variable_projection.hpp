@@ -86,8 +86,7 @@ class SeparablePerceptron final : public SumOfSquares {
   std::vector<double> pe_;   // Pᵀe at the current point; equals Dᵀe because e is orthogonal to q
   Matrix pq_;                // Pᵀq of an inexact C
   std::unique_ptr<const SampleRows> pilot_rows_;
-  std::unique_ptr<SeparablePerceptron>
-      pilot_;  // the same problem on the pilot rows; null when there are few samples
+  std::unique_ptr<SeparablePerceptron> pilot_;  // the same problem on the pilot; null for few samples
 };
 
 }  // namespace proofmass

@@ -18,11 +18,10 @@ struct GrowingVarianceOptions {
 
 // A linear regression whose residual variance is base + slope * growth[row].
 struct GrowingVarianceFit {
-  WeightedFit fit;     // with weights mean variance / variance
-  double base = 0.0;   // unit of y squared, not negative
-  double slope = 0.0;  // unit of y squared over growth's unit, not negative
-  double variance =
-      0.0;  // weighted RSS / (rows - columns); times fit.unscaled_covariance it is the covariance
+  WeightedFit fit;        // with weights mean variance / variance
+  double base = 0.0;      // unit of y squared, not negative
+  double slope = 0.0;     // unit of y squared over growth's unit, not negative
+  double variance = 0.0;  // weighted RSS / (rows - columns), the factor of fit.unscaled_covariance
   std::size_t iterations = 0;
   Termination termination;
 };
