@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Five small sets of data and what SciPy's ODR (ODRPACK) makes of them, as JSON on standard output.
+"""Prints five small data sets and the results of SciPy's ODR (ODRPACK) for them as JSON.
 
-The oracle of the tests of errors in variables; run by /usr/bin/python3 with Debian's python3-scipy. The data
-come from a linear congruential generator written out here, so that they are the same everywhere.
+The tests of errors in variables compare with these results. Run it with /usr/bin/python3 and Debian's python3-scipy.
+The data come from a linear congruential generator in this file, so that they are the same everywhere.
 """
 
 import json

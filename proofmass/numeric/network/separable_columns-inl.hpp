@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What variable projection needs of a block of samples, compiled once for every instruction set: included by
-// separable_kernels.cpp alone, through foreach_target, so without an ordinary include guard.
+// The columns of a block of samples for variable projection, compiled once for every instruction set. Only
+// separable_kernels.cpp includes this file, through foreach_target, so it has no ordinary include guard.
 //
-// Operations of the multiplication ports a sample, for I inputs, H hidden units, n columns that the output is
+// Operations of the multiplication ports per sample, for I inputs, H hidden units, n columns that the output is
 // linear in (H + 1, and fixed ones) and p = H (I + 1) hidden weights, beyond activations, error and slopes:
 //   q = phi T             n (n + 1) / 2
 //   qᵀq, qᵀe, eᵀe         (n + 1) (n + 2) / 2
@@ -11,7 +11,7 @@
 //   PᵀP, Pᵀe              p (p + 3) / 2
 //   Pᵀq                   p n, where asked for
 //   second derivative     H (I + 5), its part in q 3 n, Dᵀs p + I + 1
-// 3-7-1, n = 8: 36, 45, 252, 245, 434, 224 and 112; triangles take one more for every two rows.
+// 3-7-1, n = 8: 36, 45, 252, 245, 434, 224 and 112. Triangles take one more for every two rows.
 #if defined(PROOFMASS_SEPARABLE_COLUMNS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PROOFMASS_SEPARABLE_COLUMNS_INL
 #undef PROOFMASS_SEPARABLE_COLUMNS_INL
