@@ -76,8 +76,7 @@ inline void read_certified_line(const std::string& line, NistProblem& problem) {
   } else if (line.find("Sum of Squares") != std::string::npos && numbers.size() == 1) {
     problem.residual_sum_of_squares = numbers[0];
   } else if (line.find("Residual") != std::string::npos && numbers.size() == 3) {
-    problem.residual_sum_of_squares =
-        numbers[1];  // row of the analysis of variance: degrees of freedom, sum, mean
+    problem.residual_sum_of_squares = numbers[1];  // of degrees of freedom, sum, mean
   }
 }
 

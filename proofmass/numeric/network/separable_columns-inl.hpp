@@ -2,8 +2,9 @@
 // The columns of a block of samples for variable projection, compiled once for every instruction set. Only
 // separable_kernels.cpp includes this file, through foreach_target, so it has no ordinary include guard.
 //
-// Operations of the multiplication ports per sample, for I inputs, H hidden units, n columns that the output is
-// linear in (H + 1, and fixed ones) and p = H (I + 1) hidden weights, beyond activations, error and slopes:
+// Operations of the multiplication ports per sample, for I inputs, H hidden units, n columns that the output
+// is linear in (H + 1, and fixed ones) and p = H (I + 1) hidden weights, beyond activations, error and
+// slopes:
 //   q = phi T             n (n + 1) / 2
 //   qᵀq, qᵀe, eᵀe         (n + 1) (n + 2) / 2
 //   Dᵀq                   p (n + 1)

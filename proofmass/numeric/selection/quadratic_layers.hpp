@@ -26,10 +26,9 @@ using CriterionMaker =
     std::function<std::unique_ptr<SubsetCriterion>(const Matrix& design, std::span<const double> y)>;
 
 struct QuadraticLayerSettings {
-  std::size_t layers = 8;      // at most
-  std::size_t survivors = 10;  // best neurons of a layer that feed the next
-  bool inputs_in_every_layer =
-      true;                   // the inputs feed every layer in addition to the survivors, or only the first
+  std::size_t layers = 8;             // at most
+  std::size_t survivors = 10;         // best neurons of a layer that feed the next
+  bool inputs_in_every_layer = true;  // besides the survivors; otherwise the inputs feed only the first
   double improvement = 0.01;  // ends when a layer lowers the root of the criterion by less than this fraction
 };
 

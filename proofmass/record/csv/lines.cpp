@@ -80,8 +80,7 @@ void LineReader::report() const {
   if (progress_.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
   if (size_ == 0) return;
   const auto megabytes = [](std::size_t bytes) { return (bytes + kMegabyte - 1) / kMegabyte; };
-  progress_.update("reading (MB)", megabytes(read_),
-                   megabytes(std::max(size_, read_)));  // the file may be growing
+  progress_.update("reading (MB)", megabytes(read_), megabytes(std::max(size_, read_)));  // it may grow
 }
 
 bool LineReader::fill() {
