@@ -33,4 +33,11 @@ class Matrix {
   std::vector<double> data_;
 };
 
+[[nodiscard]] inline Matrix scaled(Matrix matrix, double factor) {
+  for (std::size_t c = 0; c < matrix.columns(); ++c) {
+    for (double& value : matrix.column(c)) value *= factor;
+  }
+  return matrix;
+}
+
 }  // namespace proofmass

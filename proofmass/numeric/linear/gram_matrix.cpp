@@ -58,7 +58,7 @@ void GramMatrix::add(const GramMatrix& other) {
 GramMatrix gram_matrix(const RegressionRows& rows) {
   const std::size_t shares = row_shares(rows.rows());
   std::vector<GramMatrix> parts(shares, GramMatrix(rows.scales()));
-  for_each_row_share(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
+  for_each_row_chunk(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
     add_products(rows, first, last, parts[share]);
   });
   return sum_of(parts);
@@ -69,7 +69,7 @@ GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> w
   const std::size_t shares = row_shares(rows.rows());
   std::vector<GramMatrix> plain(shares, GramMatrix(rows.scales()));
   std::vector<GramMatrix> weighted = plain;
-  for_each_row_share(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
+  for_each_row_chunk(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
     add_products(rows, weights, first, last, plain[share], weighted[share]);
   });
   return {sum_of(plain), sum_of(weighted)};

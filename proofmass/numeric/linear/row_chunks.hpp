@@ -12,7 +12,7 @@ namespace proofmass {
 
 // Calls body(portion, first, last) for every portion, in parallel. Portions begin at multiples of
 // RowBlock::kRows.
-void for_each_row_share(std::size_t rows,
+void for_each_row_chunk(std::size_t rows,
                         const std::function<void(std::size_t, std::size_t, std::size_t)>& body);
 
 }  // namespace proofmass

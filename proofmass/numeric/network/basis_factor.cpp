@@ -5,21 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "proofmass/numeric/matrix_view_internal.hpp"
 #include "proofmass/numeric/network/basis_factor_internal.hpp"
 
 namespace proofmass {
 namespace {
-
-using Map = Eigen::Map<Eigen::MatrixXd>;
-using ConstMap = Eigen::Map<const Eigen::MatrixXd>;
-
-Map view(Matrix& m) {
-  return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
-}
-
-ConstMap view(const Matrix& m) {
-  return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
-}
 
 // When the part of an activation outside the span of those before it is below this fraction, the activation
 // counts as dependent: that part is rounding, and its coefficient could be noise of any size.

@@ -8,21 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include "proofmass/numeric/matrix_view_internal.hpp"
 #include "proofmass/numeric/network/basis_factor_internal.hpp"
 
 namespace proofmass {
 namespace {
-
-using Map = Eigen::Map<Eigen::MatrixXd>;
-using ConstMap = Eigen::Map<const Eigen::MatrixXd>;
-
-Map view(Matrix& m) {
-  return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
-}
-
-ConstMap cview(const Matrix& m) {
-  return {m.data(), static_cast<Eigen::Index>(m.rows()), static_cast<Eigen::Index>(m.columns())};
-}
 
 constexpr int kPasses = 8;
 // Relative errors of the sum of squares that suffice for training and for searching.

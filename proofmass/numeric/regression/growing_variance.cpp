@@ -34,11 +34,11 @@ class VarianceShape {
     return *high - *low > kEvenGrowth;
   }
   [[nodiscard]] double mean() const { return mean_; }
-  [[nodiscard]] double at(std::size_t row, double share) const { return 1.0 + share * slope(row); }
+  [[nodiscard]] double at(std::size_t row, double fraction) const { return 1.0 + fraction * slope(row); }
   [[nodiscard]] double slope(std::size_t row) const { return relative_[row] - 1.0; }
-  [[nodiscard]] std::vector<double> weights(double share) const {
+  [[nodiscard]] std::vector<double> weights(double fraction) const {
     std::vector<double> result(relative_.size());
-    for (std::size_t row = 0; row < result.size(); ++row) result[row] = 1.0 / at(row, share);
+    for (std::size_t row = 0; row < result.size(); ++row) result[row] = 1.0 / at(row, fraction);
     return result;
   }
 
@@ -60,13 +60,13 @@ struct ScoreSums {
 };
 
 // A small group of rows, whose sums need only double precision.
-ScoreSums score_sums(const VarianceShape& shape, const WeightedFit& fit, double share, std::size_t first,
+ScoreSums score_sums(const VarianceShape& shape, const WeightedFit& fit, double fraction, std::size_t first,
                      std::size_t last) {
   double squares = 0.0;
   double pull = 0.0;
   double expected = 0.0;
   for (std::size_t row = first; row < last; ++row) {
-    const double inverse = 1.0 / shape.at(row, share);
+    const double inverse = 1.0 / shape.at(row, fraction);
     const double slope = shape.slope(row) * inverse;
     const double weighted = fit.residuals[row] * fit.residuals[row] * inverse;
     squares += weighted;
@@ -78,12 +78,12 @@ ScoreSums score_sums(const VarianceShape& shape, const WeightedFit& fit, double 
 
 // Derivative of the restricted log-likelihood by the fraction, with the common factor of the variances at its
 // maximum: sum of slope * (residual² / (factor u²) - (1 - leverage) / u).
-double share_score(const VarianceShape& shape, const WeightedFit& fit, double dof, double share) {
+double fraction_score(const VarianceShape& shape, const WeightedFit& fit, double dof, double fraction) {
   const std::size_t rows = fit.residuals.size();
   std::vector<ScoreSums> parts(row_shares(rows));
-  for_each_row_share(rows, [&](std::size_t part, std::size_t first, std::size_t last) {
+  for_each_row_chunk(rows, [&](std::size_t part, std::size_t first, std::size_t last) {
     for (std::size_t row = first; row < last; row += RowBlock::kRows) {
-      parts[part].add(score_sums(shape, fit, share, row, std::min(row + RowBlock::kRows, last)));
+      parts[part].add(score_sums(shape, fit, fraction, row, std::min(row + RowBlock::kRows, last)));
     }
   });
   ScoreSums total;
@@ -101,18 +101,18 @@ struct Bracket {
   [[nodiscard]] double between() const { return low + (high - low) * (score_low / (score_low - score_high)); }
   // Regula falsi in the Illinois form (Dowell & Jarratt, BIT 11, 1971): the score of an end that stays twice
   // is halved.
-  void narrow(double share, double score) {
+  void narrow(double fraction, double score) {
     const int moved = score > 0.0 ? 1 : -1;
     if (moved == side) (score > 0.0 ? score_high : score_low) *= 0.5;
-    (score > 0.0 ? low : high) = share;
+    (score > 0.0 ? low : high) = fraction;
     (score > 0.0 ? score_low : score_high) = score;
     side = moved;
   }
 };
 
 // The root of the score. `guess`, unless zero, is tried first, from both sides.
-double best_share(const VarianceShape& shape, const WeightedFit& fit, double dof, double guess) {
-  const auto score = [&](double share) { return share_score(shape, fit, dof, share); };
+double best_fraction(const VarianceShape& shape, const WeightedFit& fit, double dof, double guess) {
+  const auto score = [&](double fraction) { return fraction_score(shape, fit, dof, fraction); };
   Bracket bracket{
       .low = 0.0, .high = kLargestShare, .score_low = score(0.0), .score_high = score(kLargestShare)};
   if (bracket.score_low <= 0.0) return bracket.low;
@@ -120,14 +120,14 @@ double best_share(const VarianceShape& shape, const WeightedFit& fit, double dof
   for (const double near : {guess * (1.0 - kNear), guess * (1.0 + kNear)}) {
     if (near > bracket.low && near < bracket.high) bracket.narrow(near, score(near));
   }
-  double share = guess;
+  double fraction = guess;
   for (int trial = 0; trial < kTrials; ++trial) {
     const double next = bracket.between();
-    if (!(std::abs(next - share) > 0x1p-50 * next)) return next;
-    share = next;
-    bracket.narrow(share, score(share));
+    if (!(std::abs(next - fraction) > 0x1p-50 * next)) return next;
+    fraction = next;
+    bracket.narrow(fraction, score(fraction));
   }
-  return share;
+  return fraction;
 }
 
 }  // namespace
@@ -140,28 +140,28 @@ GrowingVarianceFit fit_growing_variance(const RegressionRows& rows, std::span<co
   const VarianceShape shape(growth);
   const auto dof = static_cast<double>(rows.rows() - rows.regressors());
   const bool varies = shape.varies();
-  double share = 0.0;
+  double fraction = 0.0;
   double step = 0.0;
   GrowingVarianceFit result;
-  result.fit = solve_weighted_least_squares(rows, shape.weights(share));
+  result.fit = solve_weighted_least_squares(rows, shape.weights(fraction));
   do {
     if (!varies) break;
-    const double next = best_share(shape, result.fit, dof, share);
-    step = std::abs(next - share);
-    share = next;
-    result.fit = solve_weighted_least_squares(rows, shape.weights(share));
+    const double next = best_fraction(shape, result.fit, dof, fraction);
+    step = std::abs(next - fraction);
+    fraction = next;
+    result.fit = solve_weighted_least_squares(rows, shape.weights(fraction));
     ++result.iterations;
   } while (step > options.tolerance && result.iterations < options.iterations);
 
   result.variance = result.fit.weighted_rss / dof;
-  result.base = result.variance * (1.0 - share);
-  result.slope = varies ? result.variance * share / shape.mean() : 0.0;
+  result.base = result.variance * (1.0 - fraction);
+  result.slope = varies ? result.variance * fraction / shape.mean() : 0.0;
   const bool converged = step <= options.tolerance;
   result.termination = {
       .cause = converged ? Cause::converged : Cause::iteration_limit,
       .reason = fmt::format(
-          "{} after {} rounds: the growing share of the variance is {:.6g} and moved by {:.1e}",
-          converged ? "converged" : "stopped at the limit of rounds", result.iterations, share, step)};
+          "{} after {} rounds: the growing fraction of the variance is {:.6g} and moved by {:.1e}",
+          converged ? "converged" : "stopped at the limit of rounds", result.iterations, fraction, step)};
   return result;
 }
 

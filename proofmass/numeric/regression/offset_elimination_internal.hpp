@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of orthogonal distance regression that works on rows; see orthogonal_distance.hpp.
+// The rows' part of orthogonal distance regression; see orthogonal_distance.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,15 +14,17 @@
 
 namespace proofmass {
 
-// A current point and a trial point. A point consists of the parameters and the input offsets of every row;
-// linearisation eliminates the offsets in closed form. Keeps references.
+// A current point and a trial point: parameters, and the inputs' offsets of every row, which linearisation
+// eliminates in closed form. Keeps references.
 class OffsetElimination {
  public:
-  // The linearised problem with the offsets eliminated.
+  // The problem linearised with the offsets eliminated.
   struct Linearised {
-    Eigen::MatrixXd triangle;  // R of the weighted parameter derivatives
-    Eigen::VectorXd rotated;   // Qᵀ of the weighted residuals
-    double output_size = 0.0;  // length of the weighted outputs, the reference for rounding errors
+    Eigen::MatrixXd triangle;   // R of the weighted parameter derivatives
+    Eigen::VectorXd rotated;    // Qᵀ of the weighted residuals
+    double output_size = 0.0;   // length of the weighted outputs: what rounding is relative to
+    double output_share = 0.0;  // mean over the rows of sigma_y² / v
+    double variation = 0.0;     // of the surface about its weighted mean: length of the weighted differences
   };
 
   struct Trial {
@@ -33,10 +35,16 @@ class OffsetElimination {
   OffsetElimination(const Surface& surface, const SurfaceObservations& observed,
                     std::span<const double> start);
 
-  // Linearises at the current point, with offsets damped by mu.
+  // At the current point, with offsets damped by mu.
   [[nodiscard]] Linearised linearise(double mu) const;
-  // Sets the trial point: the parameters after the step, and the best offsets for them.
+  // Moves the parameters by the step and every offset to its best place for it, on trial.
   [[nodiscard]] Trial attempt(const Eigen::VectorXd& step, double mu);
+  // Whether the surface bends within the input's uncertainty in some row, so that its offsets may have
+  // several local solutions.
+  [[nodiscard]] bool bends() const;
+  // A trial point with the current parameters and, in such rows, the best offsets found from several starts;
+  // returns its sum of squares.
+  [[nodiscard]] double search_offsets();
   // The trial point becomes the current one.
   void accept();
 
@@ -48,8 +56,8 @@ class OffsetElimination {
   struct Range {
     std::size_t first, count;
   };
-  // For each row of a block: v = sigma_y² + sum of slope² sigma_x² / (1 + mu), and the residual for the
-  // parameters, e = y - f + slope . d / (1 + mu).
+  // Of each row of a block: v = sigma_y² + sum of slope² sigma_x² / (1 + mu), and the residual as the
+  // parameters see it, e = y - f + slope . d / (1 + mu).
   struct Eliminated {
     std::vector<double> v, e;
   };
@@ -61,24 +69,41 @@ class OffsetElimination {
                 SurfaceBlock& block) const;
   void eliminate(Range range, double mu, const Matrix& offsets, const SurfaceBlock& block,
                  Eliminated& rows) const;
-  void add_rows(std::size_t chunk, double mu, TriangularAccumulator& triangle, double& output_size) const;
+  struct Sums {
+    double output_squares = 0.0;  // of weighted outputs
+    double output_shares = 0.0;   // of sigma_y² / v
+    double weights = 0.0;         // of 1 / v
+    double values = 0.0;          // of the weighted surface
+    double value_squares = 0.0;
+    void add(const Sums& other);
+  };
+  void add_rows(std::size_t chunk, double mu, TriangularAccumulator& triangle, Sums& sums) const;
   [[nodiscard]] Trial attempt_rows(std::size_t chunk, const Eigen::VectorXd& step, double mu);
-  // The best offsets for the part of e that the parameters' step leaves.
+  // The offsets that are best for what the parameters' step leaves of e.
   void move_offsets(Range range, double mu, const SurfaceBlock& block, const Eliminated& rows, Trial& trial);
 
-  // The contribution of each row of the block to the sum of squares, at the trial point.
+  // Of each row of the block, at the trial point: its share of the sum of squares.
   [[nodiscard]] std::vector<double> costs(Range range, const SurfaceBlock& block) const;
-  // Moves the trial offsets closer to the best ones for the trial parameters. Each row moves separately and
-  // never to a worse value. Returns the rows' sum of squares. Without this step, where the output is much
-  // more certain than the inputs, the path to the solution is a narrow curved valley that joint steps follow
-  // slowly.
-  [[nodiscard]] double settle_offsets(Range range, SurfaceBlock& block, Eliminated& rows);
+  struct Settling;
+  // Steps of the linearisation at the trial offsets, and the slopes along them.
+  void propose_offsets(Range range, const SurfaceBlock& block, const Eliminated& rows, Settling& state) const;
+  // Half the derivatives of the rows' sums of squares along a step, at the trial offsets.
+  [[nodiscard]] std::vector<double> slopes(Range range, const SurfaceBlock& block, const Matrix& step) const;
+  // Takes back the steps that made a row worse, and learns how long the next ones should be.
+  void judge_offsets(Range range, const SurfaceBlock& block, Settling& state);
+  // Takes the trial offsets to the best for the trial parameters, each row by itself and never to a worse
+  // place, and returns the rows' sums of squares. Without it, where the output is much more certain than the
+  // inputs, the way to the solution is a narrow curved valley that joint steps follow slowly; and a row where
+  // the surface bends within the input's uncertainty never comes to rest. Such rows take secant steps.
+  [[nodiscard]] std::vector<double> settle_offsets(Range range, SurfaceBlock& block, Eliminated& rows);
+  [[nodiscard]] double search_block(Range range, SurfaceBlock& block, Eliminated& rows);
 
   const Surface& surface_;
   const SurfaceObservations& observed_;
   std::size_t rows_, chunks_;
   std::vector<double> parameters_, trial_parameters_;
   Matrix offsets_, trial_offsets_;
+  std::vector<char> bends_;  // of each row, whether it was seen to
 };
 
 }  // namespace proofmass

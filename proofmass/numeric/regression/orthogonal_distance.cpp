@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -22,10 +23,22 @@ using Eigen::VectorXd;
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-5;
 constexpr double kMostDamping = 1e12;
-// A relative increase of the sum of squares up to this is rounding.
+// A sum of squares that grew by no more than this, relative, only rounded.
 constexpr double kRounding = 1e-13;
-// When a step promises a smaller relative reduction than this, the rounding of long sums may hide its gain.
+// Where a step promises less than this of the sum of squares, rounding of long sums may hide what it gains.
 constexpr double kSmall = 1e-9;
+// The sum of squares stands still when it falls by less than the first share of itself in so many iterations;
+// that is convergence when the Gauss-Newton step from there is shorter than this many standard errors.
+constexpr double kStandstill = 1e-12;
+constexpr std::size_t kStandstillIterations = 20;
+constexpr double kNegligible = 1e-3;
+constexpr int kOffsetSearches = 10;  // at most
+// A runaway: less than the first share of the rows' variance is the output's own, and the parameters are not
+// so many standard errors from zero, so that twice as large ones would do as well.
+constexpr double kRunawayShare = 1e-6;
+constexpr double kRunawaySignificance = 1e-3;
+// Variation of the surface, in standard errors, below which further starts are tried.
+constexpr double kWeak = 10.0;
 
 void check(const Surface& surface, const SurfaceObservations& observed, std::size_t parameters) {
   const std::size_t rows = observed.output.size();
@@ -65,7 +78,7 @@ Matrix inverse_normal(const MatrixXd& triangle) {
   return result;
 }
 
-// The iteration calls step() until it returns a reason to stop.
+// The iteration: step() until it says why to stop.
 class Minimiser {
  public:
   Minimiser(OffsetElimination& fitter, const OrthogonalDistanceOptions& options)
@@ -81,15 +94,9 @@ class Minimiser {
       return finish({Cause::stalled, "the sum of squares at the start is not finite"});
     }
     while (result_.iterations < options_.iterations) {
-      if (!advance()) {
-        return finish({Cause::stalled, fmt::format("no step reduces the sum of squares {:.6g} up to damping "
-                                                   "{:.1g}",
-                                                   result_.sum_of_squares, mu_)});
-      }
-      if (length_ <= limit_) {
-        return finish({Cause::converged, fmt::format("the last step was {:.1e} standard deviations long, at "
-                                                     "or below {:.1e}",
-                                                     length_, limit_)});
+      if (std::optional<Termination> end = iterate()) {
+        if (end->cause == Cause::converged && improve_offsets()) continue;
+        return finish(std::move(*end));
       }
       if (observer && !observer(result_.iterations, result_.sum_of_squares)) {
         return finish({Cause::stopped, "stopped by the observer"});
@@ -101,24 +108,73 @@ class Minimiser {
   }
 
  private:
-  // Raises the damping until a step does not raise the sum of squares, and takes the step. False when none
-  // does.
+  // One iteration; says why to end, or nothing when there is more to gain.
+  std::optional<Termination> iterate() {
+    const bool advanced = advance();
+    if (advanced && length_ <= limit_) {
+      return Termination{Cause::converged, fmt::format("the last step was {:.1e} standard deviations long, "
+                                                       "at or below {:.1e}",
+                                                       length_, limit_)};
+    }
+    const std::size_t n = result_.history.size();
+    const bool still = n > kStandstillIterations && result_.history[n - 1 - kStandstillIterations] <=
+                                                        (1.0 + kStandstill) * result_.sum_of_squares;
+    if (advanced && !still) return std::nullopt;
+    const double remaining = fitter_.linearise(0.0).rotated.norm();
+    const double ratio = result_.sum_of_squares / static_cast<double>(fitter_.rows());
+    if (remaining <= kNegligible * std::min(1.0, std::sqrt(ratio))) {
+      return Termination{Cause::converged,
+                         fmt::format("the sum of squares {:.6g} no longer falls, and the step that remains, "
+                                     "{:.1e} standard errors long, would lower it by {:.1e} only",
+                                     result_.sum_of_squares, remaining, remaining * remaining)};
+    }
+    if (advanced) return std::nullopt;
+    return Termination{Cause::stalled, fmt::format("no step reduces the sum of squares {:.6g} up to damping "
+                                                   "{:.1g}",
+                                                   result_.sum_of_squares, mu_)};
+  }
+
+  // Raises the damping until a step does not raise the sum of squares, and takes it; false when none does.
   bool advance() {
     for (; mu_ <= kMostDamping; mu_ = mu_ == 0.0 ? kFirstDamping : 10.0 * mu_) {
       const OffsetElimination::Linearised at = fitter_.linearise(mu_);
       const VectorXd step = damped_step(at, mu_);
       if (!step.allFinite()) continue;
       const OffsetElimination::Trial trial = fitter_.attempt(step, mu_);
-      // A step that is short because of damping does not mean convergence.
+      // Damping shortens steps; that is not convergence.
       length_ = (1.0 + mu_) * std::sqrt((at.triangle * step).squaredNorm() + trial.offset_step);
       limit_ = std::max(options_.tolerance, 8.0 * 0x1p-52 * at.output_size);
-      const double most = 1.0 + (length_ * length_ <= kSmall * result_.sum_of_squares ? kSmall : kRounding);
-      const bool rounded = length_ <= limit_ && trial.sum_of_squares <= limit_ * limit_;
-      if (!rounded && !(trial.sum_of_squares <= most * result_.sum_of_squares)) continue;
+      if (!accepts(trial)) continue;
       take(trial);
       return true;
     }
     return false;
+  }
+
+  // Whether the trial is better. Where rounding may hide that, the gradient tells: without it, steps that
+  // overshoot because the surface bends would wander for ever within what rounding is allowed.
+  bool accepts(const OffsetElimination::Trial& trial) {
+    if (length_ <= limit_ && trial.sum_of_squares <= limit_ * limit_) return true;
+    if (trial.sum_of_squares <= (1.0 + kRounding) * result_.sum_of_squares) return true;
+    const bool small = length_ * length_ <= kSmall * result_.sum_of_squares;
+    if (!small || !(trial.sum_of_squares <= (1.0 + kSmall) * result_.sum_of_squares)) return false;
+    if (length_ <= limit_) return true;
+    const double before = fitter_.linearise(0.0).rotated.norm();
+    fitter_.accept();
+    const double after = fitter_.linearise(0.0).rotated.norm();
+    fitter_.accept();  // and back
+    return after < before;
+  }
+
+  // At a solution, looks for better ones of single rows; true when there are any, and then stands there.
+  bool improve_offsets() {
+    if (!fitter_.bends() || searches_ == kOffsetSearches) return false;
+    ++searches_;
+    const double sum_of_squares = fitter_.search_offsets();
+    if (!(sum_of_squares < (1.0 - kSmall) * result_.sum_of_squares)) return false;
+    take({.sum_of_squares = sum_of_squares});
+    mu_ = 0.0;
+    return true;
   }
 
   void take(const OffsetElimination::Trial& trial) {
@@ -130,9 +186,22 @@ class Minimiser {
   }
 
   OrthogonalDistanceFit finish(Termination termination) {
+    const OffsetElimination::Linearised end = fitter_.linearise(0.0);
     result_.termination = std::move(termination);
     result_.parameters = fitter_.parameters();
-    result_.unscaled_covariance = inverse_normal(fitter_.linearise(0.0).triangle);
+    result_.unscaled_covariance = inverse_normal(end.triangle);
+    const Eigen::Map<const VectorXd> parameters(result_.parameters.data(), end.rotated.size());
+    result_.variation = end.variation;
+    result_.significance = (end.triangle * parameters).norm();
+    result_.runaway = end.output_share < kRunawayShare && result_.significance < kRunawaySignificance;
+    if (result_.runaway && result_.termination.cause == Cause::converged) {
+      result_.termination = {
+          Cause::stalled,
+          fmt::format("the coefficients grow without end, together {:.1e} standard errors from "
+                      "zero, while the sum of squares tends to {:.6g}: the inputs are too "
+                      "uncertain to tell how the output depends on them",
+                      result_.significance, result_.sum_of_squares)};
+    }
     result_.dof = fitter_.rows() - result_.parameters.size();
     result_.offsets = fitter_.offsets();
     return std::move(result_);
@@ -141,10 +210,21 @@ class Minimiser {
   OffsetElimination& fitter_;
   const OrthogonalDistanceOptions& options_;
   double mu_ = 0.0;
-  double length_ = 0.0;  // length of the last step, in standard deviations
-  double limit_ = 0.0;   // a shorter step means convergence
+  double length_ = 0.0;  // of the last step, in standard deviations
+  double limit_ = 0.0;   // at which it counts as none
+  int searches_ = 0;     // for better offsets
   OrthogonalDistanceFit result_;
 };
+
+bool settled(const OrthogonalDistanceFit& fit) {
+  return fit.termination.cause == Cause::converged && fit.variation >= kWeak;
+}
+
+bool better(const OrthogonalDistanceFit& fit, const OrthogonalDistanceFit& than) {
+  if (fit.termination.cause != Cause::converged) return false;
+  return than.termination.cause != Cause::converged ||
+         fit.sum_of_squares < (1.0 - kSmall) * than.sum_of_squares;
+}
 
 }  // namespace
 
@@ -155,6 +235,38 @@ OrthogonalDistanceFit fit_orthogonal_distance(const Surface& surface, const Surf
   check(surface, observed, start.size());
   OffsetElimination fitter(surface, observed, start);
   return Minimiser(fitter, options).run(observer);
+}
+
+OrthogonalDistanceFit fit_orthogonal_distance_from(const Surface& surface,
+                                                   const SurfaceObservations& observed,
+                                                   const std::vector<std::vector<double>>& starts,
+                                                   const OrthogonalDistanceOptions& options,
+                                                   const OrthogonalDistanceObserver& observer) {
+  if (starts.empty()) throw std::invalid_argument("orthogonal distance regression needs a start");
+  OrthogonalDistanceFit best = fit_orthogonal_distance(surface, observed, starts.front(), options, observer);
+  double beyond = best.runaway ? best.sum_of_squares : std::numeric_limits<double>::infinity();
+  std::size_t from = 0;
+  for (std::size_t k = 1; k < starts.size() && (from > 0 || !settled(best)); ++k) {
+    if (best.termination.cause == Cause::stopped) return best;
+    OrthogonalDistanceFit fit = fit_orthogonal_distance(surface, observed, starts[k], options, observer);
+    if (fit.termination.cause == Cause::stopped) return fit;
+    if (fit.runaway) beyond = std::min(beyond, fit.sum_of_squares);
+    if (!better(fit, best)) continue;
+    best = std::move(fit);
+    from = k;
+  }
+  if (best.termination.cause != Cause::converged) return best;
+  if (from > 0) {
+    best.termination.reason += fmt::format(
+        "; that was from start {} of {}, the best: the first did not lead there", from + 1, starts.size());
+  }
+  if (beyond < best.sum_of_squares) {
+    best.termination.reason += fmt::format(
+        "; this minimum is a local one: the sum of squares, {:.6g} here, tends to {:.6g} where the "
+        "coefficients grow without end",
+        best.sum_of_squares, beyond);
+  }
+  return best;
 }
 
 }  // namespace proofmass

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/numeric/random.hpp"
@@ -28,6 +29,25 @@ class Exponential final : public Surface {
     }
   }
 };
+
+// f = a + b x + c x³, which turns twice.
+class Cubic final : public Surface {
+ public:
+  [[nodiscard]] std::size_t inputs() const override { return 1; }
+  [[nodiscard]] std::size_t parameters() const override { return 3; }
+  void evaluate(std::span<const double> p, std::size_t rows, SurfaceBlock& block) const override {
+    for (std::size_t r = 0; r < rows; ++r) {
+      const double x = block.x(r, 0);
+      block.value[r] = p[0] + p[1] * x + p[2] * x * x * x;
+      block.by_input(r, 0) = p[1] + 3.0 * p[2] * x * x;
+      block.by_parameter(r, 0) = 1.0;
+      block.by_parameter(r, 1) = x;
+      block.by_parameter(r, 2) = x * x * x;
+    }
+  }
+};
+
+constexpr std::array kCubic{-2.5, 8.0, -4.0};
 
 struct Points {
   std::vector<double> x, y, sigma_x, sigma_y;
@@ -92,6 +112,85 @@ TEST(OrthogonalDistance, DampsFromAfarAndNeverGetsWorse) {
   for (std::size_t k = 1; k < far.history.size(); ++k) {
     EXPECT_LE(far.history[k], far.history[k - 1] * (1.0 + 1e-6));
   }
+}
+
+// The turning points lie about ±0.8, within three standard deviations of the input: there the linearisation
+// of a row overshoots, and a row's offset has several local solutions.
+Points noisy_cubic(std::uint64_t seed, double sigma) {
+  RandomStream random(seed);
+  Points points;
+  points.sigma_x.assign(100, sigma);
+  points.sigma_y.assign(100, 2.0);
+  for (std::size_t r = 0; r < 100; ++r) {
+    const double x = -5.0 + static_cast<double>(r) / 9.9;
+    points.x.push_back(x + sigma * random.normal());
+    points.y.push_back(kCubic[0] + kCubic[1] * x + kCubic[2] * x * x * x + 2.0 * random.normal());
+  }
+  return points;
+}
+
+TEST(OrthogonalDistance, ConvergesWhereTheSurfaceBendsWithinTheInputsUncertainty) {
+  std::size_t apart = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const Points points = noisy_cubic(seed, 0.3);
+    const auto off = fit_orthogonal_distance(Cubic(), points.observed(), std::array{0.0, 4.0, -3.5});
+    const auto near = fit_orthogonal_distance(Cubic(), points.observed(), kCubic);
+    EXPECT_EQ(off.termination.cause, Cause::converged) << off.termination.reason;
+    EXPECT_LT(off.iterations, 100U);
+    if (std::abs(off.sum_of_squares - near.sum_of_squares) > 1e-8 * near.sum_of_squares) ++apart;
+    for (std::size_t k = 1; k < off.history.size(); ++k) {
+      EXPECT_LE(off.history[k], off.history[k - 1] * (1.0 + 1e-9));
+    }
+  }
+  // Now and then the parameters too have two solutions; one row alone must not keep the fit from the better.
+  EXPECT_LE(apart, 1U);
+}
+
+// Of the fit of a cubic with the parameters given: every row's offset at the best place near the fitted one,
+// by ternary search.
+double profile(const Points& points, const Matrix& offsets, std::span<const double> p) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < points.x.size(); ++r) {
+    const auto cost = [&](double offset) {
+      const double x = points.x[r] + offset;
+      const double residual = (points.y[r] - p[0] - p[1] * x - p[2] * x * x * x) / points.sigma_y[r];
+      return residual * residual + std::pow(offset / points.sigma_x[r], 2);
+    };
+    double low = offsets(r, 0) - 1e-2;
+    double high = offsets(r, 0) + 1e-2;
+    for (int k = 0; k < 80; ++k) {
+      const double third = (high - low) / 3.0;
+      if (cost(low + third) > cost(high - third)) {
+        low += third;
+      } else {
+        high -= third;
+      }
+    }
+    sum += cost(0.5 * (low + high));
+  }
+  return sum;
+}
+
+// Gauss-Newton creeps where the surface bends much: once the sum of squares stands still far below one
+// standard error, that is convergence, and the reason says by how little.
+TEST(OrthogonalDistance, AStandstillFarBelowOneStandardErrorIsConvergence) {
+  std::size_t still = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Points points = noisy_cubic(seed, 0.5);
+    const auto fit = fit_orthogonal_distance(Cubic(), points.observed(), kCubic);
+    EXPECT_EQ(fit.termination.cause, Cause::converged) << fit.termination.reason;
+    if (fit.termination.reason.find("no longer falls") == std::string::npos) continue;
+    ++still;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (const double h : {1e-2, -1e-2}) {
+        std::vector<double> moved = fit.parameters;
+        moved[k] += h * std::sqrt(fit.unscaled_covariance(k, k));
+        EXPECT_GT(profile(points, fit.offsets, moved), fit.sum_of_squares) << seed << ' ' << k;
+      }
+    }
+  }
+  EXPECT_GT(still, 0U);
 }
 
 TEST(OrthogonalDistance, ThreadsChangeNothing) {

@@ -28,7 +28,7 @@ constexpr double kStartTolerance = 1e-3;  // in scales
 constexpr RobustLoss kStartLoss{.kind = LossKind::huber, .tuning = 0.25};
 constexpr double kLeverageLimit = 2.0;  // times the mean leverage; the start gives rows beyond it less weight
 constexpr double kLeastEigenvalue = 1e-10;
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kRoundingOfFit = 64.0 * std::numeric_limits<double>::epsilon();
 
 // The regression in an orthonormal basis of the columns, relative to its least-squares fit: residuals of that
 // fit minus basis * shift. Weighted normal equations are safe here, because only the weights affect their
@@ -39,8 +39,21 @@ struct Problem {
   std::vector<double> vif;
   Matrix unscaled_covariance;  // (XᵀX)⁻¹
   std::vector<double> leverage;
-  double rounding = 0.0;  // largest residual that rounding can leave of an exact fit
+  double rounding = 0.0;    // largest residual that rounding can leave of an exact fit
+  double resolution = 0.0;  // of y
+  double floor = 0.0;       // of the scale
 };
+
+// What the resolution of y and rounding of y and of the products that make up a fitted value leave.
+double scale_floor(const Matrix& design, const std::vector<double>& coefficients, double rounding,
+                   double resolution) {
+  std::vector<double> sizes(design.rows(), 0.0);
+  for (std::size_t c = 0; c < design.columns(); ++c) {
+    for (std::size_t r = 0; r < design.rows(); ++r) sizes[r] += std::abs(design(r, c) * coefficients[c]);
+  }
+  const double products = *std::max_element(sizes.begin(), sizes.end());
+  return std::max({rounding, kRoundingOfFit * products, resolution / std::sqrt(12.0)});
+}
 
 Problem make_problem(const Matrix& design, std::span<const double> y) {
   LeastSquaresFit plain = solve_least_squares(design, y);
@@ -52,12 +65,16 @@ Problem make_problem(const Matrix& design, std::span<const double> y) {
   const Eigen::HouseholderQR<MatrixXd> factors(scaled);
   double largest = 0.0;
   for (const double value : y) largest = std::max(largest, std::abs(value));
+  const double resolution = grid_step(y);
+  const double floor = scale_floor(design, plain.coefficients, kRoundingOfFit * largest, resolution);
   return {.basis = factors.householderQ() * MatrixXd::Identity(rows, columns),
           .remainder = Eigen::Map<const VectorXd>(plain.residuals.data(), rows),
           .vif = std::move(plain.vif),
           .unscaled_covariance = std::move(plain.unscaled_covariance),
           .leverage = std::move(plain.leverage),
-          .rounding = kRounding * largest};
+          .rounding = kRoundingOfFit * largest,
+          .resolution = resolution,
+          .floor = floor};
 }
 
 // The state of the reweighting.
@@ -70,11 +87,18 @@ struct State {
   bool rank_lost = false;
 };
 
+// A scale below the floor says that most residuals are rounding or nothing: then the resolution speaks.
+double held_scale(const Problem& problem, double scale, std::span<const double> residuals) {
+  if (scale >= problem.floor) return scale;
+  const auto fitted = static_cast<std::size_t>(problem.basis.cols());
+  return std::max(problem.floor, grouped_median_scale(residuals, fitted, problem.resolution));
+}
+
 double scale_of(const Problem& problem, const State& state) {
   const auto fitted = static_cast<std::size_t>(problem.basis.cols());
-  const double scale =
-      median_scale({state.residuals.data(), static_cast<std::size_t>(state.residuals.size())}, fitted);
-  return std::max(scale, problem.rounding);
+  const std::span<const double> residuals(state.residuals.data(),
+                                          static_cast<std::size_t>(state.residuals.size()));
+  return held_scale(problem, median_scale(residuals, fitted), residuals);
 }
 
 // One step of reweighted least squares, with prior weights in addition to those of the loss.
@@ -132,11 +156,14 @@ std::pair<RobustLoss, double> tuned_loss(const Problem& problem, const State& st
   const double scale = scale_of(problem, state);
   RobustLoss loss{.kind = options.loss, .tuning = options.tuning.value_or(default_tuning(options.loss))};
   if (options.loss != LossKind::student) return {loss, scale};
-  const StudentScale student =
-      fit_student({state.residuals.data(), static_cast<std::size_t>(state.residuals.size())}, scale,
-                  options.tuning.value_or(0.0));
+  const std::span<const double> residuals(state.residuals.data(),
+                                          static_cast<std::size_t>(state.residuals.size()));
+  const bool held = problem.resolution > 0.0 &&
+                    median_scale(residuals, static_cast<std::size_t>(problem.basis.cols())) < problem.floor;
+  if (held) return {loss, scale};  // the likeliest t would be the narrowest: most residuals are zero
+  const StudentScale student = fit_student(residuals, scale, options.tuning.value_or(0.0));
   loss.tuning = student.dof;
-  return {loss, std::max(student.scale, problem.rounding)};
+  return {loss, std::max(student.scale, problem.floor)};
 }
 
 void iterate(const Problem& problem, const RobustOptions& options, double scale, const RobustLoss& loss,
@@ -190,7 +217,12 @@ void finish(const Matrix& design, std::span<const double> y, const Problem& prob
   fit.coefficients = std::move(last.coefficients);
   fit.residuals = std::move(last.residuals);
   fit.rss = last.rss;
-  fit.scale = median_scale(fit.residuals, design.columns());
+  const double scale = median_scale(fit.residuals, design.columns());
+  fit.scale_floor = problem.floor;
+  fit.scale_floored = scale < problem.floor;
+  fit.resolution = problem.resolution;
+  fit.scale = held_scale(problem, scale, fit.residuals);
+  fit.scale_check = check_scale(fit.residuals, design.columns(), fit.scale, problem.resolution);
   fit.psi_slope = mean_slope(fit);
   const double factor = variance_factor(fit, static_cast<double>(design.columns()));
   fit.covariance = problem.unscaled_covariance;

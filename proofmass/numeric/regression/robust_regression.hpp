@@ -9,6 +9,7 @@
 
 #include "proofmass/numeric/matrix.hpp"
 #include "proofmass/numeric/optimise/termination.hpp"
+#include "proofmass/numeric/regression/residual_scale.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
 
 namespace proofmass {
@@ -28,7 +29,13 @@ struct RobustFit {
   std::vector<double> vif;           // of the columns without weights, as in LeastSquaresFit
   Matrix covariance;                 // asymptotic, see below
   double rss = 0.0;                  // over all rows, unweighted
-  double scale = 0.0;          // median_scale of the residuals: the standard deviation if they are normal
+  double scale = 0.0;  // median_scale of the residuals: the standard deviation if they are normal
+  // The least value of scale: what the output's resolution (a grid's step over sqrt(12), when all outputs lie
+  // on one) and rounding of y and of sum |x b| leave of an exact fit.
+  double scale_floor = 0.0;
+  bool scale_floored = false;  // whether it would be less: then it is that of grouped data
+  double resolution = 0.0;     // step of the grid that the outputs lie on; zero when on none
+  ScaleCheck scale_check;      // whether other estimates of scale agree
   double loss_scale = 0.0;     // the scale that divides residuals: the same, except for Student t's own scale
   RobustLoss loss;             // with the tuning used
   double psi_slope = 0.0;      // mean of psi'; must be well above zero for the covariance to be meaningful
@@ -44,7 +51,8 @@ struct RobustFit {
 // with several minima. Two rounds follow: the scale from the residuals, then reweighting to convergence with
 // this scale, under which the loss falls at every step. Covariance by Huber 1981, eq. (6.5) of chapter 7: K²
 // [sum psi² / (n - p)] scale² / (mean psi')² (XᵀX)⁻¹, K = 1 + p/n var(psi') / (mean psi')². The scale is kept
-// above the rounding of y, so exact data are fitted exactly. Throws std::invalid_argument unless the design
+// above rounding and the output's resolution: exact data are fitted exactly, and rows of quantised data that
+// are one step away keep their weight. Throws std::invalid_argument unless the design
 // has full column rank and more rows than columns.
 // The observer is called before every reweighting. When it returns false, the iteration ends with cause
 // stopped, and the rest of the result is not usable.

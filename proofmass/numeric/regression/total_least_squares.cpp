@@ -34,7 +34,7 @@ void check(const Matrix& design, std::span<const double> y, std::span<const doub
 
 // The problem with exact columns first and every column in its own unit: the standard deviation for uncertain
 // columns and y, the length for exact ones.
-struct Problem {
+struct ScaledProblem {
   std::vector<std::size_t> order;  // index of the given column for each scaled column
   VectorXd units;                  // scaled column = column / unit
   Index exact = 0;
@@ -43,16 +43,16 @@ struct Problem {
   double y_unit = 1.0;
 };
 
-Problem make_problem(const Matrix& design, std::span<const double> y, std::span<const double> column_sigma,
-                     double y_sigma) {
+ScaledProblem make_problem(const Matrix& design, std::span<const double> y,
+                           std::span<const double> column_sigma, double y_sigma) {
   const auto rows = static_cast<Index>(design.rows());
   const auto n = static_cast<Index>(design.columns());
   const Eigen::Map<const MatrixXd> given(design.data(), rows, n);
-  Problem problem{.order = std::vector<std::size_t>(design.columns()),
-                  .units = VectorXd(n),
-                  .columns = MatrixXd(rows, n),
-                  .y = Eigen::Map<const VectorXd>(y.data(), rows) / y_sigma,
-                  .y_unit = y_sigma};
+  ScaledProblem problem{.order = std::vector<std::size_t>(design.columns()),
+                        .units = VectorXd(n),
+                        .columns = MatrixXd(rows, n),
+                        .y = Eigen::Map<const VectorXd>(y.data(), rows) / y_sigma,
+                        .y_unit = y_sigma};
   std::iota(problem.order.begin(), problem.order.end(), 0U);
   const auto first_uncertain = std::stable_partition(problem.order.begin(), problem.order.end(),
                                                      [&](std::size_t c) { return column_sigma[c] == 0.0; });
@@ -99,7 +99,7 @@ class ShiftedNormal {
 };
 
 // The upper triangle of the QR of [columns, y].
-MatrixXd triangle_of(const Problem& problem) {
+MatrixXd triangle_of(const ScaledProblem& problem) {
   const Index n = problem.columns.cols();
   MatrixXd all(problem.columns.rows(), n + 1);
   all << problem.columns, problem.y;
@@ -123,13 +123,13 @@ VectorXd solution_by_vector(const MatrixXd& triangle, Index exact, const VectorX
   return x;
 }
 
-double weight(const Problem& problem, const VectorXd& x) {
+double weight(const ScaledProblem& problem, const VectorXd& x) {
   return 1.0 + x.tail(x.size() - problem.exact).squaredNorm();
 }
 
 // The solution satisfies Aᵀ(y - A x) + s² E x = 0 with s² = |y - A x|² / (1 + |E x|²). Corrections by M, with
 // residuals from the rows, remove the rounding errors of the factors.
-void refine(const Problem& problem, const ShiftedNormal& normal, VectorXd& x) {
+void refine(const ScaledProblem& problem, const ShiftedNormal& normal, VectorXd& x) {
   const Index uncertain = x.size() - problem.exact;
   for (int k = 0; k < kRefinements; ++k) {
     const VectorXd residual = problem.y - problem.columns * x;
@@ -140,7 +140,8 @@ void refine(const Problem& problem, const ShiftedNormal& normal, VectorXd& x) {
   }
 }
 
-TotalLeastSquaresFit in_given_columns(const Problem& problem, const VectorXd& x, const MatrixXd& covariance) {
+TotalLeastSquaresFit in_given_columns(const ScaledProblem& problem, const VectorXd& x,
+                                      const MatrixXd& covariance) {
   const std::size_t n = problem.order.size();
   TotalLeastSquaresFit fit;
   fit.coefficients.resize(n);
@@ -167,7 +168,7 @@ double TotalLeastSquaresFit::variance_ratio() const noexcept {
 TotalLeastSquaresFit solve_total_least_squares(const Matrix& design, std::span<const double> y,
                                                std::span<const double> column_sigma, double y_sigma) {
   check(design, y, column_sigma, y_sigma);
-  const Problem problem = make_problem(design, y, column_sigma, y_sigma);
+  const ScaledProblem problem = make_problem(design, y, column_sigma, y_sigma);
   const MatrixXd triangle = triangle_of(problem);
   const Index n = problem.columns.cols();
   const Index left = n + 1 - problem.exact;

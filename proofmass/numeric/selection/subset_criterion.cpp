@@ -2,6 +2,7 @@
 #include "proofmass/numeric/selection/subset_criterion.hpp"
 
 #include <Eigen/Dense>
+#include <limits>
 #include <stdexcept>
 
 namespace proofmass {
@@ -11,6 +12,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Map = Eigen::Map<const MatrixXd>;
+
+// 1 - leverage below which a row alone determines some combination of the coefficients, but for rounding.
+constexpr double kAlone = 1e-12;
 
 // |y - X c|² = |rotated - triangle c|² + rest for every c.
 struct Reduced {
@@ -82,8 +86,9 @@ class Press final : public SubsetCriterion {
     rotated.head(chosen.cols()).setZero();
     const VectorXd left = qr.householderQ() * rotated;
     const VectorXd residuals = factored_.remainder + factored_.basis * left;
-    const auto leverage = basis.rowwise().squaredNorm().array();
-    return (residuals.array() / (1.0 - leverage)).square().mean();
+    const VectorXd independence = 1.0 - basis.rowwise().squaredNorm().array();
+    if (independence.minCoeff() < kAlone) return std::numeric_limits<double>::infinity();
+    return (residuals.array() / independence.array()).square().mean();
   }
   [[nodiscard]] double bound(Subset subset) const override {
     return residual_sum(factored_.reduced, subset) / factored_.reduced.rows;

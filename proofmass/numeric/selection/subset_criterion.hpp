@@ -40,7 +40,8 @@ struct Regression {
 // columns.
 
 // Mean square of the errors at rows left out one by one, by the hat matrix: mean of (e_i / (1 - h_i))²
-// (Allen, Technometrics 16, 1974). Bounded below by the mean squared residual.
+// (Allen, Technometrics 16, 1974). Bounded below by the mean squared residual. Infinite for a subset that
+// some row alone determines in part (h = 1): without that row there is nothing to predict it from.
 [[nodiscard]] std::unique_ptr<SubsetCriterion> press_criterion(const Regression& rows);
 
 // Mean squared error over the checking rows, with coefficients from the fitting rows. Bounded below by the
