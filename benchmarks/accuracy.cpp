@@ -13,10 +13,12 @@
 #include <cstdlib>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/method.hpp"
+#include "proofmass/identify/network/presets.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/pipeline.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
@@ -28,38 +30,33 @@ using namespace proofmass;
 
 struct Contestant {
   std::string name;
-  std::string method;
-  SplitOptions split;
-  IdentifyOptions options;
+  Method method;
 };
 
 std::vector<Contestant> contestants() {
-  IdentifyOptions base;
-  base.terms = parse_terms("full");
   std::vector<Contestant> list;
-  list.push_back({"ols", "ols", {}, base});
+  list.push_back({"ols", Ols{}});
 
-  IdentifyOptions textbook = base;
-  textbook.network.trainer = Trainer::lm;
-  list.push_back({"bp-lm", "bp", {}, textbook});
-  list.push_back({"bp-lm-early", "bp", {.early_stopping = true}, textbook});
-  list.push_back({"bp", "bp", {}, base});
-  list.push_back({"bp-early", "bp", {.early_stopping = true}, base});
+  list.push_back({"bp-lm", Bp{.network = {.training = {.trainer = Trainer::lm}}}});
+  list.push_back(
+      {"bp-lm-early", Bp{.network = {.training = {.trainer = Trainer::lm}, .early_stopping = true}}});
+  list.push_back({"bp", Bp{}});
+  list.push_back({"bp-early", Bp{.network = {.training = {}, .early_stopping = true}}});
 
-  IdentifyOptions paper = base;
-  SplitOptions paper_split;
-  apply_paper_preset(paper, paper_split);
-  list.push_back({"pso-bp-paper", "pso-bp", paper_split, paper});
-  IdentifyOptions multistart = paper;  // the same 50,000 epochs and the same final training, without a swarm
-  multistart.network.starts = 50 * 51;
-  multistart.network.start_epochs = paper.swarm.fitness_epochs;
-  list.push_back({"multistart-paper", "bp", paper_split, multistart});
+  PsoBp paper;
+  apply_paper_preset(paper);
+  list.push_back({"pso-bp-paper", paper});
+  Bp multistart;  // the same 50,000 epochs and the same final training, without a swarm
+  apply_paper_preset(multistart);
+  multistart.starts = 50 * 51;
+  multistart.start_epochs = paper.fitness_epochs;
+  list.push_back({"multistart-paper", multistart});
 
-  list.push_back({"pso-bp", "pso-bp", {}, base});
-  IdentifyOptions rival = base;  // as many random starts as the swarm has particles, refined alike
-  rival.network.starts = base.swarm.particles;
-  rival.network.start_epochs = 1;
-  list.push_back({"multistart", "bp", {}, rival});
+  const PsoBp swarm;
+  list.push_back({"pso-bp", swarm});
+  // As many random starts as the swarm has particles, refined alike.
+  list.push_back({"multistart",
+                  Bp{.network = {}, .starts = swarm.particles, .start_epochs = 1, .refined = swarm.refined}});
   return list;
 }
 
@@ -73,7 +70,8 @@ struct Tally {
     over_floor.push_back(result.test->rmse / floor);
     over_sigma.push_back(result.test->rmse / sigma);
     seconds.push_back(time);
-    epochs.push_back(static_cast<double>(result.diagnostics.training_epochs.value_or(0)));
+    const auto* const network = std::get_if<NetworkDetails>(&result.details);
+    epochs.push_back(network != nullptr ? static_cast<double>(network->training_epochs) : 0.0);
     for (const Coefficient& c : result.coefficients) {
       if (!c.identified || !c.standard_error) continue;
       const double z = std::abs(c.value - truth.coefficient(c.term)) / *c.standard_error;
@@ -106,20 +104,15 @@ void print_row(const std::string& name, const Tally& t) {
 
 Tally measure(const SimulationPlan& plan, const Contestant& contestant, std::size_t seeds) {
   const StaticModel truth = plan.truth();
-  SilentProgress progress;
   Tally tally;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Dataset record = simulate(plan, plan.rows, seed);
-    Contestant run_one = contestant;
-    run_one.options.seed = seed;
-    IdentifyOptions full = run_one.options;
-    full.terms = parse_terms("full");
-    const double floor = run(record, find_method("ols"), full, {}, progress).test->rmse;
+    const IdentifyOptions options{.terms = full_terms(), .seed = seed};
+    const double floor = identify(record, Ols{}, options).identification.test->rmse;
     const auto start = std::chrono::steady_clock::now();
-    const Identification result =
-        run(record, find_method(contestant.method), run_one.options, contestant.split, progress);
+    const Run run = identify(record, contestant.method, options);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    tally.add(result, truth, floor, plan.noise.sigma, time.count());
+    tally.add(run.identification, truth, floor, plan.noise.sigma, time.count());
   }
   return tally;
 }

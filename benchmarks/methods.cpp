@@ -9,11 +9,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/identify/network/presets.hpp"
+#include "proofmass/split.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
 #include "proofmass/study/compare.hpp"
@@ -30,40 +33,35 @@ bool exact_inputs(const SimulationPlan& plan) { return plan.input_sigma == std::
 // tls and eiv get the simulated uncertainties, unless the record has them. They refuse exact inputs: then
 // they get an input uncertainty of 1 µg.
 std::vector<Entry> entries(const SimulationPlan& plan, const TermList& terms) {
-  IdentifyOptions base;
-  base.terms = terms;
+  UncertaintyOptions uncertainty;
   if (!plan.record_sigma) {
-    base.uncertainty.output = plan.noise.sigma;
-    base.uncertainty.input = *std::max_element(plan.input_sigma.begin(), plan.input_sigma.end());
+    uncertainty.output = plan.noise.sigma;
+    uncertainty.input = *std::max_element(plan.input_sigma.begin(), plan.input_sigma.end());
   }
+  if (exact_inputs(plan)) uncertainty.input = kSmallInputSigma;
+  const std::string inputs = exact_inputs(plan) ? ", inputs ± 1 µg" : "";
+  PsoBp paper;
+  apply_paper_preset(paper);
+
   std::vector<Entry> list;
-  const auto add = [&](
-                       std::string name, const char* method,
-                       const std::function<void(Entry&)>& change = [](Entry&) {}) {
-    list.push_back({.name = std::move(name), .method = &find_method(method), .options = base, .split = {}});
-    change(list.back());
+  const auto add = [&](std::string name, Method method) {
+    list.push_back({.name = std::move(name), .method = std::move(method), .options = {.terms = terms}});
   };
-  add("ols", "ols");
-  add("wls, variance model", "wls", [](Entry& e) { e.options.wls.weights = WeightSource::model; });
-  add("robust, Huber", "robust", [](Entry& e) { e.options.robust.fit.loss = LossKind::huber; });
-  add("robust, bisquare", "robust");
-  for (const char* const method : {"tls", "eiv"}) {
-    if (exact_inputs(plan)) {
-      add(fmt::format("{}, inputs ± 1 µg", method), method,
-          [](Entry& e) { e.options.uncertainty.input = kSmallInputSigma; });
-    } else {
-      add(method, method);
-    }
-  }
-  add("gmdh, combi", "gmdh");
-  add("gmdh, mia", "gmdh", [](Entry& e) { e.options.gmdh.form = GmdhForm::mia; });
-  add("afsa", "afsa");
-  add("afsa, columns", "afsa", [](Entry& e) { e.options.fish.coordinates = FishCoordinates::columns; });
-  add("bp, textbook", "bp", [](Entry& e) { e.options.network.trainer = Trainer::lm; });
-  add("bp", "bp");
-  add("pso-bp, paper", "pso-bp", [](Entry& e) { apply_paper_preset(e.options, e.split); });
-  add("pso-bp", "pso-bp");
-  add("hybrid", "hybrid");
+  add("ols", Ols{});
+  add("wls, variance model", Wls{.weights = WeightSource::model});
+  add("robust, Huber", Robust{.loss = LossKind::huber, .tuning = {}});
+  add("robust, bisquare", Robust{});
+  add("tls" + inputs, Tls{.uncertainty = uncertainty});
+  add("eiv" + inputs, Eiv{.uncertainty = uncertainty});
+  add("gmdh, combi", Gmdh{});
+  add("gmdh, mia", Gmdh{.form = GmdhForm::mia});
+  add("afsa", Afsa{});
+  add("afsa, columns", Afsa{.target = {}, .coordinates = FishCoordinates::columns});
+  add("bp, textbook", Bp{.network = {.training = {.trainer = Trainer::lm}}});
+  add("bp", Bp{});
+  add("pso-bp, paper", paper);
+  add("pso-bp", PsoBp{});
+  add("hybrid", Hybrid{});
   return list;
 }
 
@@ -92,11 +90,7 @@ double floor_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t
   if (plan.unmodelled.saturating != 0.0 || plan.unmodelled.fourth_order != 0.0) {
     return noise_of(plan, record, seed);
   }
-  SilentProgress progress;
-  IdentifyOptions options;
-  options.terms = terms;
-  options.seed = seed;
-  return run(record, find_method("ols"), options, {}, progress).test->rmse;
+  return identify(record, Ols{}, {.terms = terms, .seed = seed}).identification.test->rmse;
 }
 
 struct Tally {
@@ -122,11 +116,11 @@ std::string cells(const SimulationPlan& plan, Entry entry, std::size_t seeds) {
     const Dataset record = simulate(plan, plan.rows, seed);
     entry.options.seed = seed;
     Comparison one = compare(record, std::span(&entry, 1), 1, progress);
-    score_truth(one, record, std::span(&entry, 1), plan);
+    score_truth(one, record, plan);
     const Contestant& contestant = one.contestants.front();
     const double over_bound = contestant.truth->rms_over_bound.value();
     tally.square_over_bound += over_bound * over_bound;
-    const double rmse = contestant.runs.front().test->rmse;
+    const double rmse = contestant.runs.front().identification.test->rmse;
     tally.over_floor.push_back(rmse / floor_of(plan, record, seed, entry.options.terms));
     tally.over_noise.push_back(rmse / noise_of(plan, record, seed));
     tally.seconds.push_back(contestant.seconds.front());

@@ -16,9 +16,87 @@ if(PROOFMASS_SANITIZE)
   target_link_options(proofmass_options INTERFACE -fsanitize=${PROOFMASS_SANITIZE})
 endif()
 
-# A test program from the sources given, with the shared test support; its tests carry its name as their label.
+# proofmass_compile_together(TARGET SOURCE…): where a preset asks for it (CMAKE_UNITY_BUILD), the sources of one folder are
+# compiled as one, so that their headers are read once. Highway compiles a file of kernels once for each instruction
+# set; such a file stays by itself.
+function(proofmass_compile_together target)
+  foreach(source IN LISTS ARGN)
+    if(NOT source MATCHES "_kernels?\\.cpp$")
+      cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+      cmake_path(GET path PARENT_PATH folder)
+      cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+      string(MAKE_C_IDENTIFIER "${folder}" group)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  # To GCC a source that another includes is a header, whose types should not be made of a source's own.
+  if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+endfunction()
+
+# What ThreadSanitizer has tests for: the programs with tests of several threads.
+if(PROOFMASS_BUILD_TESTS)
+  add_custom_target(thread_tests)
+endif()
+
+# proofmass_add_tests(NAME SOURCES FILE… [STATISTICS FILTER…] [THREADS FILTER…] [ALONE FILE…]): a test program with the
+# shared test support. A filter is gtest's and matches names of tests. Each test has one label, by which the presets
+# choose what a sanitizer runs:
+#   NAME.statistics  statistics over many repeats, whose code other tests run too: the optimised build alone runs them
+#   NAME.threads     runs several threads: what ThreadSanitizer runs
+#   NAME             any other
+# ALONE are sources that are never compiled together with others, for want of names of their own.
 function(proofmass_add_tests name)
-  add_executable(${name} ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;STATISTICS;THREADS;ALONE")
+  add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE proofmass proofmass_options proofmass_test_support)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 1200 LABELS ${name})
+  proofmass_compile_together(${name} ${arg_SOURCES})
+  if(arg_ALONE)
+    set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+
+  list(JOIN arg_STATISTICS : statistics)
+  list(JOIN arg_THREADS : threads)
+  proofmass_discover_tests(${name} ${name} "*-${statistics}:${threads}")
+  if(arg_STATISTICS)
+    proofmass_discover_tests(${name} ${name}.statistics "${statistics}")
+  endif()
+  if(arg_THREADS)
+    proofmass_discover_tests(${name} ${name}.threads "${threads}-${statistics}")
+    add_dependencies(thread_tests ${name})
+  endif()
+  if(arg_STATISTICS OR arg_THREADS)
+    add_test(NAME structure.filters_of_${name} COMMAND bash ${PROJECT_SOURCE_DIR}/tests/filters_match.sh
+      $<TARGET_FILE:${name}> ${arg_STATISTICS} ${arg_THREADS})
+    set_tests_properties(structure.filters_of_${name} PROPERTIES LABELS structure)
+  endif()
+endfunction()
+
+function(proofmass_discover_tests program label filter)
+  gtest_discover_tests(${program} TEST_FILTER "${filter}" DISCOVERY_TIMEOUT 120
+    PROPERTIES TIMEOUT 1200 LABELS ${label})
+endfunction()
+
+# proofmass_header_closure(HEADER RESULT): the header, whose path is that of an include, and all of ours that it includes
+# directly or through others, as absolute paths.
+function(proofmass_header_closure header result)
+  set(waiting ${header})
+  set(found)
+  while(waiting)
+    list(POP_FRONT waiting next)
+    if(next IN_LIST found)
+      continue()
+    endif()
+    list(APPEND found ${next})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${next})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/${next} lines REGEX "^#include \"proofmass/")
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^#include \"([^\"]*)\".*" "\\1" include "${line}")
+      list(APPEND waiting ${include})
+    endforeach()
+  endwhile()
+  list(TRANSFORM found PREPEND ${PROJECT_SOURCE_DIR}/)
+  set(${result} ${found} PARENT_SCOPE)
 endfunction()

@@ -1,47 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a test record and identifies its static model twice: by least squares, then by a swarm-started
-// network.
-#include <cstdio>
+// Reads a test record, identifies its static model by PSO-BP and prints a summary: five lines.
 #include <exception>
-#include <string_view>
+#include <iostream>
 
-#include "proofmass/core/error.hpp"
-#include "proofmass/core/progress.hpp"
-#include "proofmass/core/term.hpp"
-#include "proofmass/identify/method.hpp"
-#include "proofmass/pipeline.hpp"
-#include "proofmass/record/csv/csv.hpp"
+#include "proofmass/proofmass.hpp"
 
-namespace {
-
-void print(const proofmass::Identification& fit) {
-  std::printf("%s: %s\n", fit.method.c_str(), fit.ending.reason.c_str());
-  for (const auto& coefficient : fit.coefficients) {
-    std::printf("  %-5s %14.6e +- %.1e\n", proofmass::name(coefficient.term).data(), coefficient.value,
-                coefficient.standard_error.value_or(0.0));
-  }
-  std::printf("  test RMSE %.3e %s over %zu rows\n", fit.test->rmse, fit.output_unit.symbol.c_str(),
-              fit.test->n);
-}
-
-}  // namespace
+using namespace proofmass;
 
 int main(int argc, char** argv) try {
-  if (argc != 2) {
-    std::fputs("usage: identify_record RUN.csv\n", stderr);
-    return 2;
-  }
-  const proofmass::Dataset record = proofmass::read_record(argv[1]);
-  const proofmass::IdentifyOptions options{.terms = proofmass::parse_terms("paper"), .seed = 1};
-  proofmass::SilentProgress progress;
-  for (const std::string_view method : {"ols", "pso-bp"}) {
-    print(proofmass::run(record, proofmass::find_method(method), options, {.training_share = 0.7}, progress));
-  }
-  return 0;
-} catch (const proofmass::Error& error) {
-  std::fprintf(stderr, "%s\n", error.what());
-  return proofmass::exit_code(error.kind());
+  const Dataset record = read_record(argc > 1 ? argv[1] : "run.csv");
+  const Run run = identify(record, PsoBp{.particles = 50}, {.terms = paper_terms(), .seed = 3});
+  std::cout << summary(run);
+  const Coefficient& ki = run.identification.find(Term::Ki);
+  return ki.identified ? 0 : 1;
+} catch (const Error& error) {
+  std::cerr << error.what() << '\n';
+  return exit_code(error.kind());
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "%s\n", error.what());
+  std::cerr << error.what() << '\n';
   return 1;
 }

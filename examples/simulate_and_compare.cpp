@@ -4,21 +4,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "proofmass/core/error.hpp"
-#include "proofmass/core/progress.hpp"
-#include "proofmass/core/term.hpp"
-#include "proofmass/identify/method.hpp"
-#include "proofmass/pipeline.hpp"
-#include "proofmass/stand/twin/simulation.hpp"
-#include "proofmass/stand/twin/simulation_file.hpp"
+#include "proofmass/proofmass.hpp"
 
 namespace {
-
-proofmass::Identification identify(const proofmass::Dataset& record, const char* method) {
-  const proofmass::IdentifyOptions options{.terms = proofmass::parse_terms("paper"), .seed = 1};
-  proofmass::SilentProgress progress;
-  return proofmass::run(record, proofmass::find_method(method), options, {.training_share = 0.7}, progress);
-}
 
 // How far a coefficient is from the truth, in its own standard errors.
 double deviation(const proofmass::Coefficient& coefficient, double truth) {
@@ -34,8 +22,8 @@ int main(int argc, char** argv) try {
   }
   const proofmass::SimulationPlan plan = proofmass::read_simulation(argv[1]);
   const proofmass::Dataset record = proofmass::simulate(plan);
-  const proofmass::Identification ols = identify(record, "ols");
-  const proofmass::Identification network = identify(record, "pso-bp");
+  const proofmass::Identification ols = proofmass::identify(record, proofmass::Ols{}).identification;
+  const proofmass::Identification network = proofmass::identify(record, proofmass::PsoBp{}).identification;
 
   std::printf("term            truth     ols (off by)          pso-bp (off by)\n");
   for (std::size_t k = 0; k < ols.coefficients.size(); ++k) {

@@ -6,35 +6,77 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "proofmass/assess/intervals.hpp"
 #include "proofmass/assess/metrics.hpp"
 #include "proofmass/assess/selection/hidden_search.hpp"
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/version.hpp"
+#include "proofmass/identify/method_options.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
-#include "proofmass/identify/network/presets.hpp"
 #include "proofmass/identify/regression/uncertainties.hpp"
+#include "proofmass/split.hpp"
 
 namespace proofmass {
-
 namespace {
 
-// The number of hidden units that the trials on the training share choose, put into the options.
-std::vector<HiddenTrial> search_hidden(const Dataset& record, const Method& method, IdentifyOptions& options,
-                                       SplitOptions split, Progress& progress) {
-  if (!method.takes_hidden || !options.network.search_hidden) return {};
-  SplitOptions whole = split;
-  whole.early_stopping = true;  // refuses shares that leave nothing to train on
-  (void)split_rows(record.rows(), whole, options.seed);
-  whole.early_stopping = false;
-  const Dataset rows = record.select(split_rows(record.rows(), whole, options.seed).training);
-  std::vector<HiddenTrial> trials =
-      try_hidden_sizes(rows, method, options,
-                       split_for_trials(rows.rows(), split, options.seed, options.network.search_repeats),
-                       split.early_stopping, progress);
-  options.network.hidden = trials[choose_hidden(trials)].hidden;
+// Of all rows: what is refused must not hang on which of them train.
+void require_usable(const Dataset& record, const Method& method) {
+  require_plausible_rows(record);
+  require_usable_sigmas(record, sigma_columns(method));
+}
+
+// Says what the split has to do with too few rows; the methods know the training rows alone.
+void require_training_rows(const Dataset& record, const Split& split, const IdentifyOptions& options) {
+  const std::size_t needed = options.terms.size() + 1;
+  if (split.training.size() >= needed || split.training.size() == record.rows()) return;
+  std::vector<Remedy> remedies;
+  if (record.rows() >= needed) remedies.push_back({"split", "1"});
+  remedies.push_back({"terms", ""});
+  throw bad_data(
+      {.file = record.source, .row = 0, .column = {}},
+      fmt::format("{} rows, {} of them to fit at a split of {}", record.rows(), split.training.size(),
+                  options.split),
+      fmt::format("at least {} to fit, one more than the {} terms asked for", needed, options.terms.size()),
+      std::move(remedies));
+}
+
+SplitOptions split_of(const Method& method, const IdentifyOptions& options) {
+  const NetworkOptions* const network = network_options(method);
+  const bool early = network != nullptr && network->early_stopping;
+  return {.training_fraction = options.split,
+          .validation_fraction = early ? network->validation_fraction : 0.0};
+}
+
+// The number of hidden units that trials on the training rows choose, put into the method, and the trials.
+std::vector<HiddenTrial> search_hidden(const Dataset& record, Method& method, const IdentifyOptions& options,
+                                       Progress& progress) {
+  NetworkOptions* const network = network_options(method);
+  if (network == nullptr || network->hidden) return {};
+  const SplitOptions parts{.training_fraction = options.split,
+                           .validation_fraction = network->validation_fraction};
+  (void)split_rows(record.rows(), parts, options.seed);  // refuses fractions that leave nothing to train on
+  const Dataset rows =
+      record.select(split_rows(record.rows(), {.training_fraction = options.split}, options.seed).training);
+  const auto splits = split_for_trials(rows.rows(), parts, options.seed, network->search_repeats);
+  std::vector<HiddenTrial> trials = try_hidden_sizes(rows, method, options, splits, progress);
+  network->hidden = trials[choose_hidden(trials)].hidden;
   return trials;
+}
+
+void score_parts(Identification& result, const Dataset& training, const Dataset& validation,
+                 const Dataset& test) {
+  const double to_declared = 1.0 / training.output_unit.to_canonical;
+  const auto scores = [&](const Dataset& part) -> std::optional<Metrics> {
+    if (part.rows() == 0) return std::nullopt;
+    return score(part.output, predict(result, part), to_declared);
+  };
+  result.train = scores(training);
+  result.validation = scores(validation);
+  result.test = scores(test);
 }
 
 // Says when the rows that train do not speak for those that test.
@@ -45,56 +87,43 @@ void note_unlike_parts(Identification& result, const Dataset& test) {
   double largest = 0.0;
   for (const double e : test.output) largest = std::max(largest, std::abs(e));
   if (result.test->rmse * test.output_unit.to_canonical <= kRounding * largest) return;
-  result.diagnostics.notes.push_back(
-      fmt::format("the error on the test rows ({:.3g}) is more than three times that on the training rows "
-                  "({:.3g}): what was fitted does not hold for rows that it has not seen",
-                  result.test->rmse, result.train->rmse));
+  result.findings.push_back({.code = Code::test_error_larger,
+                             .severity = Severity::warning,
+                             .figures = {{"test", result.test->rmse},
+                                         {"train", result.train->rmse},
+                                         {"ratio", result.test->rmse / result.train->rmse},
+                                         {"unit", test.output_unit.symbol}}});
 }
 
 }  // namespace
 
-void apply_paper_preset(IdentifyOptions& options, SplitOptions& split) {
-  apply_paper_preset(options);
-  split.early_stopping = true;
+Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& options, Progress& progress) {
+  require_usable(record, asked);
+  Method method = asked;
+  std::vector<HiddenTrial> trials = search_hidden(record, method, options, progress);
+
+  Run run;
+  run.split = split_rows(record.rows(), split_of(method, options), options.seed);
+  require_training_rows(record, run.split, options);
+  const Dataset training = record.select(run.split.training);
+  const Dataset validation = record.select(run.split.validation);
+  const Dataset test = record.select(run.split.test);
+
+  run.identification = fit(method, training, validation, options, progress);
+  if (!trials.empty()) std::get<NetworkDetails>(run.identification.details).hidden_search = std::move(trials);
+  add_intervals(run.identification);
+  score_parts(run.identification, training, validation, test);
+  note_unlike_parts(run.identification, test);
+  run.provenance = {.version = std::string(version()),
+                    .input = record.source,
+                    .input_sha256 = record.source_sha256,
+                    .options = resolved_options(asked, options)};
+  return run;
 }
 
-SplitOptions split_for(const Method& method, SplitOptions options) noexcept {
-  options.early_stopping = options.early_stopping && method.predicts_by_network;
-  return options;
-}
-
-Identification run(const Dataset& record, const Method& method, const IdentifyOptions& asked,
-                   const SplitOptions& split_options, Progress& progress) {
-  // Of all rows: what is refused must not hang on which of them train.
-  require_plausible_rows(record);
-  if (method.sigma_columns != nullptr) require_usable_sigmas(record, method.sigma_columns(asked));
-  IdentifyOptions options = asked;
-  std::vector<HiddenTrial> trials = search_hidden(record, method, options, split_options, progress);
-  const SplitOptions parts = split_for(method, split_options);
-  const Split split = split_rows(record.rows(), parts, options.seed);
-  if (parts.early_stopping && parts.validation_share > 0.0 && split.validation.empty() && record.rows() > 0) {
-    throw usage_error(
-        fmt::format("a validation share of {} leaves no validation row of {} for early stopping",
-                    parts.validation_share, record.rows()));
-  }
-  const Dataset training = record.select(split.training);
-  const Dataset validation = record.select(split.validation);
-  const Dataset test = record.select(split.test);
-
-  Identification result = method.identify(training, validation, options, progress);
-  result.diagnostics.hidden_search = std::move(trials);
-  add_intervals(result);
-
-  const double to_declared = 1.0 / record.output_unit.to_canonical;
-  const auto assess = [&](const Dataset& part) -> std::optional<Metrics> {
-    if (part.rows() == 0) return std::nullopt;
-    return score(part.output, predict(result, part), to_declared);
-  };
-  result.train = assess(training);
-  result.validation = assess(validation);
-  result.test = assess(test);
-  note_unlike_parts(result, test);
-  return result;
+Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options) {
+  SilentProgress silent;
+  return identify(record, method, options, silent);
 }
 
 }  // namespace proofmass

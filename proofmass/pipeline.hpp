@@ -2,23 +2,18 @@
 #pragma once
 
 #include "proofmass/core/dataset.hpp"
-#include "proofmass/core/identification.hpp"
 #include "proofmass/core/progress.hpp"
+#include "proofmass/core/run.hpp"
 #include "proofmass/identify/method.hpp"
-#include "proofmass/split.hpp"
 
 namespace proofmass {
 
-// The split that a method gets: only networks stop early, others train on the validation rows too.
-[[nodiscard]] SplitOptions split_for(const Method& method, SplitOptions options) noexcept;
-
-// The paper's PSO-BP: apply_paper_preset of identify/presets.hpp, and early stopping.
-void apply_paper_preset(IdentifyOptions& options, SplitOptions& split);
-
-// Checks the sigma columns that the method goes by, splits the record by split_for, seeks the number of
-// hidden units on the training share when asked to, identifies on the training rows, and assesses on every
-// part.
-[[nodiscard]] Identification run(const Dataset& record, const Method& method, const IdentifyOptions& options,
-                                 const SplitOptions& split_options, Progress& progress);
+// Identifies the static model of the accelerometer that a record is of: splits the rows, fits the training
+// rows by the method, adds intervals, and scores the fit on every part. Throws what the method throws, bad
+// data on values that no accelerometer has or sigma columns that the method cannot go by, a usage Error on
+// options that make no sense.
+[[nodiscard]] Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options = {});
+[[nodiscard]] Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options,
+                           Progress& progress);
 
 }  // namespace proofmass

@@ -9,15 +9,27 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "proofmass/assess/metrics.hpp"
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/version.hpp"
+#include "proofmass/report/json/json.hpp"
+#include "proofmass/report/text/en.hpp"
+#include "proofmass/split.hpp"
+#include "support/findings.hpp"
+#include "support/networks.hpp"
 #include "support/twin.hpp"
 
 namespace proofmass {
 namespace {
 
-using testing::HasSubstr;
+using testing::Contains;
+using testing::Pair;
+using testing::StartsWith;
 
 std::vector<std::size_t> together(const Split& split) {
   std::vector<std::size_t> rows = split.training;
@@ -29,9 +41,10 @@ std::vector<std::size_t> together(const Split& split) {
 
 RC_GTEST_PROP(SplitRows, PutsEveryRowInOnePart, ()) {
   const auto rows = *rc::gen::inRange<std::size_t>(10, 500);
-  const double share = *rc::gen::inRange(30, 101) / 100.0;
+  const double fraction = *rc::gen::inRange(30, 101) / 100.0;
   const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-  const SplitOptions options{.training_share = share, .early_stopping = *rc::gen::arbitrary<bool>()};
+  const double validation = *rc::gen::element(0.0, 0.15);
+  const SplitOptions options{.training_fraction = fraction, .validation_fraction = validation};
   const Split split = split_rows(rows, options, seed);
 
   std::vector<std::size_t> all(rows);
@@ -42,19 +55,20 @@ RC_GTEST_PROP(SplitRows, PutsEveryRowInOnePart, ()) {
   }
   const auto n = static_cast<double>(rows);
   const auto count = [n](double part) { return static_cast<std::size_t>(std::llround(part * n)); };
-  RC_ASSERT(split.training.size() + split.validation.size() == count(share));
-  RC_ASSERT(split.validation.size() == (options.early_stopping ? count(0.15) : 0));
+  RC_ASSERT(split.training.size() + split.validation.size() == count(fraction));
+  RC_ASSERT(split.validation.size() == count(validation));
 
   SplitOptions other = options;
-  other.early_stopping = !options.early_stopping;
+  other.validation_fraction = 0.15 - validation;
   const Split again = split_rows(rows, other, seed);
   RC_ASSERT(again.test == split.test);
 }
 
 TEST(SplitRows, ValidationRowsComeOutOfTheTrainingRows) {
   const Split without = split_rows(200, {}, 5);
-  const Split with = split_rows(200, {.early_stopping = true}, 5);
+  const Split with = split_rows(200, {.validation_fraction = 0.15}, 5);
   EXPECT_EQ(without.training.size(), 140U);
+  EXPECT_TRUE(without.validation.empty());
   EXPECT_EQ(with.training.size(), 110U);
   EXPECT_EQ(with.validation.size(), 30U);
   const auto& pool = without.training;
@@ -67,93 +81,108 @@ TEST(SplitRows, DependsOnTheSeed) {
   EXPECT_NE(split_rows(100, {}, 1).test, split_rows(100, {}, 2).test);
 }
 
-TEST(SplitRows, AShareOfOneTakesAllRows) {
-  const Split split = split_rows(31, {.training_share = 1.0}, 1);
+TEST(SplitRows, AFractionOfOneTakesAllRows) {
+  const Split split = split_rows(31, {.training_fraction = 1.0}, 1);
   EXPECT_EQ(split.training.size(), 31U);
   EXPECT_TRUE(split.test.empty());
 }
 
-TEST(SplitRows, RefusesSharesThatMakeNoSense) {
+TEST(SplitRows, RefusesFractionsThatMakeNoSense) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   std::vector<SplitOptions> bad;
-  for (const double share : {0.0, -0.1, 1.01, kNan}) bad.push_back({.training_share = share});
-  for (const double share : {0.7, 0.9, -0.1, kNan}) {
-    bad.push_back({.validation_share = share, .early_stopping = true});
-  }
-  bad.push_back({.training_share = 0.04});                            // no row of ten
-  bad.push_back({.validation_share = 0.68, .early_stopping = true});  // seven rows of seven
+  for (const double fraction : {0.0, -0.1, 1.01, kNan}) bad.push_back({.training_fraction = fraction});
+  for (const double fraction : {0.7, 0.9, -0.1, kNan}) bad.push_back({.validation_fraction = fraction});
+  bad.push_back({.training_fraction = 0.04});    // no row of ten
+  bad.push_back({.validation_fraction = 0.68});  // seven rows of seven
+  bad.push_back({.validation_fraction = 0.04});  // some, but no row of ten
   for (const SplitOptions& options : bad) {
     try {
       (void)split_rows(10, options, 1);
-      ADD_FAILURE() << options.training_share << ", " << options.validation_share;
+      ADD_FAILURE() << options.training_fraction << ", " << options.validation_fraction;
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::usage);
     }
   }
-  // Without early stopping nobody asks for validation rows.
-  EXPECT_NO_THROW((void)split_rows(10, {.validation_share = 0.9}, 1));
-}
-
-TEST(SplitFor, OnlyNetworksStopEarly) {
-  for (const Method& method : methods()) {
-    EXPECT_EQ(split_for(method, {.early_stopping = true}).early_stopping, method.predicts_by_network);
-    EXPECT_FALSE(split_for(method, {}).early_stopping);
-  }
 }
 
 TEST(PaperPreset, StopsEarly) {
-  IdentifyOptions options;
-  SplitOptions split;
-  apply_paper_preset(options, split);
-  EXPECT_TRUE(split.early_stopping);
-  EXPECT_EQ(split.training_share, 0.7);
-  EXPECT_EQ(options.swarm.particles, 50U);
+  Method method = PsoBp{};
+  ASSERT_TRUE(apply_paper_preset(method));
+  EXPECT_TRUE(network_options(method)->early_stopping);
+  EXPECT_EQ(IdentifyOptions{}.split, 0.7);
+  EXPECT_EQ(std::get<PsoBp>(method).particles, 50U);
 }
 
-IdentifyOptions small() {
-  IdentifyOptions options;
-  options.terms = parse_terms("paper");
-  options.network.hidden = 3;
-  options.network.epochs = 60;
-  options.swarm.particles = 6;
-  options.swarm.iterations = 3;
-  options.uncertainty = {.input = 2e-4, .output = 3e-4};
-  return options;
+Bp small_network() {
+  Bp method;
+  method.network.hidden = 3;
+  method.network.training.epochs = 60;
+  return method;
 }
 
-class Run : public testing::TestWithParam<Method> {};
+// The method with what it needs for the records here, and no larger than it must be.
+Method small(Method method) {
+  if (NetworkOptions* const network = network_options(method)) *network = small_network().network;
+  if (auto* const swarm = std::get_if<PsoBp>(&method)) {
+    swarm->particles = 6;
+    swarm->iterations = 3;
+  }
+  const UncertaintyOptions uncertainty{.input = 2e-4, .output = 3e-4};
+  if (auto* const tls = std::get_if<Tls>(&method)) tls->uncertainty = uncertainty;
+  if (auto* const eiv = std::get_if<Eiv>(&method)) eiv->uncertainty = uncertainty;
+  return method;
+}
+
+// Likewise; the networks set rows aside.
+Method small_and_early(Method method) {
+  method = small(std::move(method));
+  if (NetworkOptions* const network = network_options(method)) network->early_stopping = true;
+  return method;
+}
+
+std::vector<double> values_of(const Identification& result) {
+  std::vector<double> values;
+  for (const Coefficient& c : result.coefficients) values.push_back(c.value);
+  return values;
+}
+
+class Identify : public testing::TestWithParam<std::string_view> {
+ protected:
+  [[nodiscard]] static Method method() { return find_method(GetParam()); }
+};
+
+std::vector<std::string_view> names_of_methods() {
+  std::vector<std::string_view> names;
+  for (const Method& method : methods()) names.push_back(info(method).name);
+  return names;
+}
 
 // Rows that training must not see may hold anything.
-TEST_P(Run, TestRowsTouchNothingButTheirOwnScore) {
+TEST_P(Identify, TestRowsTouchNothingButTheirOwnScore) {
   const Dataset record = test::make_twin();
+  const Method early = small_and_early(method());
+  const auto run = identify(record, early);
   Dataset spoilt = record;
-  for (const std::size_t row : split_rows(record.rows(), {}, 1).test) {
+  for (const std::size_t row : run.split.test) {
     spoilt.output[row] = 1e6;
     spoilt.acceleration[0][row] = -400.0;
   }
-  SilentProgress progress;
-  const SplitOptions split{.early_stopping = true};
-  const Identification a = run(record, GetParam(), small(), split, progress);
-  const Identification b = run(spoilt, GetParam(), small(), split, progress);
-  ASSERT_EQ(a.coefficients.size(), b.coefficients.size());
-  for (std::size_t k = 0; k < a.coefficients.size(); ++k) {
-    EXPECT_EQ(a.coefficients[k].value, b.coefficients[k].value);
-  }
+  const Identification& a = run.identification;
+  const Identification b = identify(spoilt, early).identification;
+  EXPECT_EQ(values_of(a), values_of(b));
   EXPECT_EQ(a.train->rmse, b.train->rmse);
-  EXPECT_EQ(a.validation.has_value(), GetParam().predicts_by_network);
+  EXPECT_EQ(a.validation.has_value(), info(early).predicts_by_network);
   if (a.validation) {
     EXPECT_EQ(a.validation->rmse, b.validation->rmse);
   }
   EXPECT_GT(b.test->rmse, 1e3 * a.test->rmse);
 }
 
-TEST_P(Run, ScoresEveryPartInTheDeclaredUnit) {
+TEST_P(Identify, ScoresEveryPartInTheDeclaredUnit) {
   Dataset record = test::make_twin();
   record.output_unit = find_unit("mV").value();
-  SilentProgress progress;
-  const SplitOptions options{.early_stopping = true};
-  const Identification result = run(record, GetParam(), small(), options, progress);
-  const Split split = split_rows(record.rows(), split_for(GetParam(), options), 1);
+  const auto run = identify(record, small_and_early(method()));
+  const Identification& result = run.identification;
   const auto expect_score = [&](const std::optional<Metrics>& found, const std::vector<std::size_t>& rows) {
     ASSERT_TRUE(found.has_value());
     const Dataset part = record.select(rows);
@@ -165,15 +194,32 @@ TEST_P(Run, ScoresEveryPartInTheDeclaredUnit) {
     EXPECT_EQ(found->n, rows.size());
     EXPECT_NEAR(found->mse, square / static_cast<double>(rows.size()), 1e-12 * found->mse);
   };
-  expect_score(result.train, split.training);
-  if (!split.validation.empty()) expect_score(result.validation, split.validation);
-  expect_score(result.test, split.test);
+  expect_score(result.train, run.split.training);
+  if (!run.split.validation.empty()) expect_score(result.validation, run.split.validation);
+  expect_score(result.test, run.split.test);
 }
 
-TEST_P(Run, FittingAllRowsLeavesNothingToTest) {
+TEST_P(Identify, SplitIsTheOneThatWasUsed) {
+  const Dataset record = test::make_twin();
+  const Method early = small_and_early(method());
+  const IdentifyOptions options{.seed = 5, .split = 0.6};
+  const auto run = identify(record, early, options);
+  const Split& split = run.split;
+  std::vector<std::size_t> all(record.rows());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  EXPECT_EQ(together(split), all);
+  EXPECT_EQ(split.training.size() + split.validation.size(), 180U);
+  EXPECT_EQ(split.validation.size(), info(early).predicts_by_network ? 45U : 0U);
+  EXPECT_EQ(split.test, split_rows(300, {.training_fraction = 0.6}, 5).test) << "the same for every method";
+
   SilentProgress progress;
-  const Identification result =
-      run(test::make_twin(), GetParam(), small(), {.training_share = 1.0}, progress);
+  const Identification again =
+      fit(early, record.select(split.training), record.select(split.validation), options, progress);
+  EXPECT_EQ(values_of(again), values_of(run.identification));
+}
+
+TEST_P(Identify, FittingAllRowsLeavesNothingToTest) {
+  const Identification result = identify(test::make_twin(), small(method()), {.split = 1.0}).identification;
   EXPECT_EQ(result.train->n, 300U);
   EXPECT_FALSE(result.validation.has_value());
   EXPECT_FALSE(result.test.has_value());
@@ -183,36 +229,114 @@ TEST_P(Run, FittingAllRowsLeavesNothingToTest) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllMethods, Run, testing::ValuesIn(methods().begin(), methods().end()),
-                         [](const auto& method) {
-                           std::string label(method.param.name);
-                           std::replace(label.begin(), label.end(), '-', '_');
-                           return label;
-                         });
-
-TEST(RunOls, SaysWhenTestRowsAreUnlikeTheOthers) {
-  SilentProgress progress;
-  Dataset record = test::make_twin();
-  const auto notes = [&] { return run(record, find_method("ols"), small(), {}, progress).diagnostics.notes; };
-  EXPECT_THAT(notes(), testing::Not(testing::Contains(HasSubstr("on the test rows"))));
-  for (const std::size_t row : split_rows(record.rows(), {}, 1).test) record.output[row] *= 1.01;
-  EXPECT_THAT(notes(), testing::Contains(HasSubstr("more than three times that on the training rows")));
+// A sentence that lacks a figure would be the finding's code and what figures there are.
+TEST_P(Identify, FindsWhatHasASentence) {
+  const Identification result = identify(test::make_twin(), small(method())).identification;
+  EXPECT_FALSE(result.findings.empty());
+  for (const Finding& finding : result.findings) {
+    EXPECT_THAT(english(finding), testing::Not(StartsWith(std::string(to_string(finding.code)))));
+  }
 }
 
-TEST(RunBp, RefusesAShareThatLeavesNoValidationRows) {
+INSTANTIATE_TEST_SUITE_P(AllMethods, Identify, testing::ValuesIn(names_of_methods()), [](const auto& method) {
+  std::string label(method.param);
+  std::replace(label.begin(), label.end(), '-', '_');
+  return label;
+});
+
+TEST(IdentifyOls, SaysWhenTestRowsAreUnlikeTheOthers) {
+  Dataset record = test::make_twin();
+  const auto alike = identify(record, Ols{});
+  EXPECT_FALSE(test::has(alike.identification, Code::test_error_larger));
+  for (const std::size_t row : alike.split.test) record.output[row] *= 1.01;
+  const Identification unlike = identify(record, Ols{}).identification;
+  const Finding& finding = test::finding_of(unlike, Code::test_error_larger);
+  EXPECT_EQ(finding.severity, Severity::warning);
+  EXPECT_EQ(test::number(finding, "test"), unlike.test->rmse);
+  EXPECT_EQ(test::number(finding, "train"), unlike.train->rmse);
+  EXPECT_DOUBLE_EQ(test::number(finding, "ratio"), unlike.test->rmse / unlike.train->rmse);
+  EXPECT_GT(test::number(finding, "ratio"), 3.0);
+  EXPECT_EQ(test::word(finding, "unit"), "g");
+}
+
+TEST(IdentifyOls, ProvenanceIsEnoughToMakeTheResultAgain) {
+  Dataset record = test::make_twin();
+  record.source = "bench.csv";
+  record.source_sha256 = "0123";
+  const Provenance provenance =
+      identify(record, Ols{}, {.terms = linear_terms(), .seed = 5, .split = 0.8}).provenance;
+  EXPECT_EQ(provenance.version, version());
+  EXPECT_FALSE(provenance.version.empty());
+  EXPECT_EQ(provenance.input, "bench.csv");
+  EXPECT_EQ(provenance.input_sha256, "0123");
+  EXPECT_THAT(provenance.options, testing::IsSupersetOf({Pair("method", "ols"), Pair("model", "linear"),
+                                                         Pair("seed", "5"), Pair("split", "0.8")}));
+}
+
+TEST(IdentifyBp, ProvenanceHasTheOptionsAsTheyWereAskedFor) {
+  Bp method = small_network();
+  method.network.early_stopping = true;
+  method.network.validation_fraction = 0.2;
+  const auto given = identify(test::make_twin(), method).provenance.options;
+  EXPECT_THAT(given,
+              testing::IsSupersetOf({Pair("method", "bp"), Pair("model", "paper"), Pair("seed", "1"),
+                                     Pair("split", "0.7"), Pair("hidden", "3"), Pair("epochs", "60"),
+                                     Pair("early-stopping", "on"), Pair("validation-fraction", "0.2")}));
+
+  // Not the size that the search came to: repeating it must search again.
+  method.network.hidden.reset();
+  method.network.search_repeats = 2;
+  method.network.training.epochs = 2;
+  EXPECT_THAT(identify(test::make_twin(), method).provenance.options, Contains(Pair("hidden", "search")));
+}
+
+TEST(IdentifyBp, IsTheSameWithoutProgress) {
+  const Dataset record = test::make_twin();
+  const IdentifyOptions options{.terms = quadratic_terms(), .seed = 3};
   SilentProgress progress;
-  const SplitOptions none{.validation_share = 1e-4, .early_stopping = true};
-  EXPECT_THROW((void)run(test::make_twin(), find_method("bp"), small(), none, progress), Error);
-  EXPECT_NO_THROW((void)run(test::make_twin(), find_method("ols"), small(), none, progress));
+  const auto watched = identify(record, small_network(), options, progress);
+  const auto alone = identify(record, small_network(), options);
+  EXPECT_EQ(to_json(alone), to_json(watched));
+  EXPECT_EQ(alone.split.training, watched.split.training);
+  EXPECT_EQ(alone.split.test, watched.split.test);
+}
+
+TEST(IdentifyBp, StopsWhenTheCallerAsks) {
+  test::CancelAfter progress(0);
+  try {
+    (void)identify(test::make_twin(), small_network(), {}, progress);
+    ADD_FAILURE() << "went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::interrupted);
+  }
+}
+
+TEST(IdentifyBp, RefusesAFractionThatLeavesNoValidationRows) {
+  Bp method = small_network();
+  for (const double fraction : {1e-4, 0.9}) {
+    method.network.validation_fraction = fraction;
+    method.network.early_stopping = true;
+    try {
+      (void)identify(test::make_twin(), method);
+      ADD_FAILURE() << "no error at " << fraction;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+    }
+    // Without early stopping nobody asks for validation rows.
+    method.network.early_stopping = false;
+    EXPECT_NO_THROW((void)identify(test::make_twin(), method));
+  }
 }
 
 // The scaling too is learned from the rows that train.
-TEST(RunBp, LearnsItsScalingFromTheTrainingRows) {
+TEST(IdentifyBp, LearnsItsScalingFromTheTrainingRows) {
   const Dataset record = test::make_twin();
-  SilentProgress progress;
-  const SplitOptions options{.early_stopping = true};
-  const Identification result = run(record, find_method("bp"), small(), options, progress);
-  const Dataset training = record.select(split_rows(record.rows(), options, 1).training);
+  Bp method = small_network();
+  method.network.early_stopping = true;
+  const auto run = identify(record, method);
+  const Identification& result = run.identification;
+  ASSERT_FALSE(run.split.validation.empty());
+  const Dataset training = record.select(run.split.training);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [low, high] =
         std::minmax_element(training.acceleration[k].begin(), training.acceleration[k].end());

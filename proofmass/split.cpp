@@ -13,26 +13,31 @@
 namespace proofmass {
 namespace {
 
-// Checks the shares and returns how many rows train and how many of those validate.
+// Checks the fractions and returns how many rows train, and how many of those validate.
 std::pair<std::size_t, std::size_t> part_sizes(std::size_t rows, const SplitOptions& options) {
-  const double share = options.training_share;
-  if (!(share > 0.0 && share <= 1.0)) {
-    throw usage_error(fmt::format("split must be more than 0 and at most 1, got {}", share));
+  const double training = options.training_fraction;
+  if (!(training > 0.0 && training <= 1.0)) {
+    throw usage_error(fmt::format("split must be more than 0 and at most 1, got {}", training));
   }
-  const double validation_share = options.early_stopping ? options.validation_share : 0.0;
-  if (!(validation_share >= 0.0 && validation_share < share)) {
-    throw usage_error(
-        fmt::format("the validation share must be at least 0 and less than the training share {}, got {}",
-                    share, validation_share));
+  const double validation = options.validation_fraction;
+  if (!(validation >= 0.0 && validation < training)) {
+    throw usage_error(fmt::format(
+        "the validation fraction must be at least 0 and less than the training fraction {}, got {}", training,
+        validation));
   }
   const auto count = [rows](double part) {
     return static_cast<std::size_t>(std::llround(part * static_cast<double>(rows)));
   };
-  if (rows > 0 && count(validation_share) >= count(share)) {
-    throw usage_error(fmt::format("a split of {} with a validation share of {} leaves no training rows of {}",
-                                  share, validation_share, rows));
+  if (rows > 0 && count(validation) >= count(training)) {
+    throw usage_error(
+        fmt::format("a split of {} with a validation fraction of {} leaves no training rows of {}", training,
+                    validation, rows));
   }
-  return {count(share), count(validation_share)};
+  if (rows > 0 && validation > 0.0 && count(validation) == 0) {
+    throw usage_error(
+        fmt::format("a validation fraction of {} leaves no validation row of {}", validation, rows));
+  }
+  return {count(training), count(validation)};
 }
 
 }  // namespace
@@ -54,14 +59,15 @@ Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t se
 
 std::vector<Split> split_for_trials(std::size_t rows, const SplitOptions& options, std::uint64_t seed,
                                     std::size_t trials) {
-  // The share is of all rows of the record, of which these are the training share.
-  const SplitOptions inner{.training_share = 1.0 - options.validation_share / options.training_share};
+  // The fraction is of all rows of the record, of which these are the training fraction.
+  const SplitOptions inner{.training_fraction =
+                               1.0 - options.validation_fraction / options.training_fraction};
   std::vector<Split> splits;
   for (std::size_t r = 0; r < trials; ++r) {
     Split drawn = split_rows(rows, inner, seed + r);
     if (drawn.test.empty()) {
-      throw usage_error(fmt::format("a validation share of {} sets none of {} rows aside to choose by",
-                                    options.validation_share, rows));
+      throw usage_error(fmt::format("a validation fraction of {} sets none of {} rows aside to choose by",
+                                    options.validation_fraction, rows));
     }
     splits.push_back(
         {.training = std::move(drawn.training), .validation = std::move(drawn.test), .test = {}});

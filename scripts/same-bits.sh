@@ -42,7 +42,7 @@ identify() {
 say "Identifying"
 results=$folder/results
 rm -rf "$results" && mkdir -p "$results"
-for twin in data/*.toml; do
+for twin in "$there"/data/*.toml; do
   for seed in "${seeds[@]}"; do
     record=$results/$(basename "$twin" .toml)-$seed.csv
     "$before" simulate "$twin" --seed "$seed" --out "$record" --quiet >/dev/null

@@ -2,68 +2,46 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "proofmass/identify/model/options.hpp"
-#include "proofmass/pipeline.hpp"
+#include "proofmass/identify/method.hpp"
 
 namespace proofmass::cli {
 
-// All that decides an identification, besides the record.
-struct IdentifySettings {
-  std::string method = "ols";
-  std::string model = "paper";  // a preset, or the names of --terms
-  std::string preset = "default";
-  std::string initial_swarm = "none";  // the file it was read from
-  IdentifyOptions options;
-  SplitOptions split;
-};
-
-// The settings that the user asked for: those of the preset, changed by the flags given, in any order on the
-// line.
+// The flags that decide an identification. Those of the methods come from the methods' own tables of options.
 class IdentifyFlags {
  public:
   // Whether the verb takes --method, or names its methods otherwise.
-  enum class Method { option, given_elsewhere };
-  // Adds the options to the verb; the object must outlive parsing.
-  void add_to(CLI::App& verb, Method method = Method::option);
-  // Throws a usage Error on unknown terms, or an impossible combination.
-  [[nodiscard]] IdentifySettings settings() const;
+  enum class Naming { option, elsewhere };
+  // Adds the flags to the verb; the object must outlive parsing.
+  void add_to(CLI::App& verb, Naming naming = Naming::option);
+
+  // What every method takes. Throws a usage Error on unknown terms or values that make no sense.
+  [[nodiscard]] IdentifyOptions options() const;
+  // The methods named, each with those of the flags given that it takes. Throws a usage Error when none of
+  // them takes one of the flags, and on values that make no sense.
+  [[nodiscard]] std::vector<Method> methods(std::span<const std::string> names) const;
+  // That of --method.
+  [[nodiscard]] Method method() const;
+  // What was given beside the methods' options, for provenance.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> more() const;
 
  private:
-  using Change = std::function<void(IdentifySettings&)>;
-  void add_method_option(CLI::App& verb);
-  void add_data_options(CLI::App& verb);
-  void add_weight_options(CLI::App& verb);
-  void add_uncertainty_options(CLI::App& verb);
-  void add_gmdh_options(CLI::App& verb);
-  void add_hidden_options(CLI::App& verb);
-  void add_network_options(CLI::App& verb);
-  void add_damping_options(CLI::App& verb);
-  void add_swarm_options(CLI::App& verb);
-  void add_swarm_endings(CLI::App& verb);
-  void add_fish_options(CLI::App& verb);
-  void add_fish_form(CLI::App& verb);
+  void add_terms(CLI::App& verb);
+  void add_common_options(CLI::App& verb);
+  void add_method_options(CLI::App& verb);
+  void add_whole_settings(CLI::App& verb);
+  void add_given(CLI::App& verb, const std::string& name, const std::string& help, const std::string& type,
+                 const std::string& group);
+  void require_taken(std::span<const Method> chosen) const;
 
-  template <typename Set>
-  void real(CLI::App& verb, const std::string& option, double low, double high, const std::string& help,
-            Set set);
-  template <typename Set>
-  void whole(CLI::App& verb, const std::string& option, std::uint64_t low, std::uint64_t high,
-             const std::string& help, Set set);
-  template <typename Words, typename Set>
-  void choice(CLI::App& verb, const std::string& option, const Words& words, const std::string& help,
-              Set set);
-
-  std::string preset_ = "default";
-  std::vector<Change> changes_;
+  std::string method_;
+  std::string model_;  // a preset of terms or their names; empty when not given
+  std::vector<std::pair<std::string, std::string>> given_;   // options of methods as name and text
+  std::vector<std::pair<std::string, std::string>> common_;  // of all methods, likewise
 };
-
-// Every setting as provenance records it, in a fixed order. The number of threads is not among them: it
-// changes nothing.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> describe(const IdentifySettings& settings);
 
 }  // namespace proofmass::cli

@@ -48,6 +48,16 @@ void complain(const std::string& message) noexcept {
   std::fputs("\n", stderr);
 }
 
+// What a user can do about an error, as flags.
+std::string with_remedies(const Error& error) {
+  std::string flags;
+  for (const Remedy& remedy : error.remedies()) {
+    flags += fmt::format("{}--{}", flags.empty() ? "" : ", ", remedy.option);
+    if (!remedy.value.empty()) flags += " " + remedy.value;
+  }
+  return flags.empty() ? error.what() : fmt::format("{}\ntry: {}", error.what(), flags);
+}
+
 // A word that should have been a verb; CLI11 would only say that a verb is missing.
 void require_known_verb(const std::string& word) {
   std::string list;
@@ -104,7 +114,7 @@ int main(int argc, char** argv) {
   try {
     return proofmass::cli::dispatch(argc, argv);
   } catch (const proofmass::Error& error) {
-    proofmass::cli::complain(error.what());
+    proofmass::cli::complain(proofmass::cli::with_remedies(error));
     return proofmass::exit_code(error.kind());
   } catch (const std::bad_alloc&) {
     proofmass::cli::complain("out of memory");

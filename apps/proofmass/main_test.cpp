@@ -32,12 +32,25 @@ TEST_F(Program, ExitsWithTwoOnUsageErrors) {
                  {"--terms", "--model"});
   expect_failure(proofmass({"identify", record, "--split", "1.5"}), 2, {"--split", "'1.5'", "at most 1"});
   expect_failure(proofmass({"identify", record, "--split", "nan"}), 2, {"--split", "'nan'"});
-  expect_failure(proofmass({"identify", record, "--hidden", "0"}), 2, {"--hidden", "'0'", "from 1 to 1000"});
-  expect_failure(proofmass({"identify", record, "--hidden", "7.5"}), 2, {"--hidden", "'7.5'"});
-  expect_failure(proofmass({"identify", record, "--inertia", "-1"}), 2, {"--inertia", "'-1'"});
-  expect_failure(proofmass({"identify", record, "--trainer", "sgd"}), 2,
+  expect_failure(proofmass({"identify", record, "--method", "bp", "--hidden", "0"}), 2,
+                 {"--hidden", "'0'", "from 1 to 1000"});
+  expect_failure(proofmass({"identify", record, "--method", "bp", "--hidden", "7.5"}), 2,
+                 {"--hidden", "'7.5'"});
+  expect_failure(proofmass({"identify", record, "--method", "pso-bp", "--inertia", "-1"}), 2,
+                 {"--inertia", "'-1'"});
+  expect_failure(proofmass({"identify", record, "--method", "bp", "--trainer", "sgd"}), 2,
                  {"--trainer", "'sgd'", "varpro, lm"});
-  expect_failure(proofmass({"identify", record, "--preset", "other"}), 2, {"--preset", "'other'"});
+  expect_failure(proofmass({"identify", record, "--method", "bp", "--preset", "other"}), 2,
+                 {"--preset", "'other'"});
+  // An option that the method does not take.
+  expect_failure(proofmass({"identify", record, "--loss", "huber"}), 2,
+                 {"--loss", "option of robust", "ols"});
+  expect_failure(proofmass({"identify", record, "--method", "hybrid", "--trainer", "lm"}), 2,
+                 {"--trainer", "bp, pso-bp", "hybrid"});
+  expect_failure(proofmass({"identify", record, "--kicks", "1"}), 2, {"--kicks", "bp, pso-bp, hybrid"});
+  expect_failure(proofmass({"identify", record, "--preset", "paper"}), 2, {"--preset", "bp, pso-bp"});
+  expect_failure(proofmass({"compare", record, "--methods", "ols,wls", "--loss", "huber"}), 2,
+                 {"--loss", "robust", "ols, wls do not"});
   expect_failure(proofmass({"identify", record, "--map", "Ai"}), 2, {"--map", "'Ai'"});
   expect_failure(proofmass({"identify", record, "--json", at("no/r.json")}), 2, {"no/r.json"});
   expect_failure(proofmass({"identify", record, "--out", record}), 2, {"--out", "not a folder"});

@@ -13,7 +13,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/network/scaling.hpp"
-#include "proofmass/identify/network/starts.hpp"
+#include "proofmass/identify/network/training/starts.hpp"
 #include "proofmass/split.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
 

@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "ours/tasks.hpp"
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 #include "proofmass/numeric/matrix.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 #include "proofmass/numeric/network/perceptron_problem.hpp"
@@ -88,8 +88,7 @@ Answer train(const Request& request) {
   const NetworkSamples rows = read_samples(request);
   const Samples samples = as_samples(rows);
   if (request.variant == "lm-gain") return train_by_gain(request, rows, shape, samples);
-  proofmass::NetworkOptions options;
-  options.hidden = request.hidden;
+  proofmass::TrainingOptions options;
   options.trainer = request.variant == "lm" ? proofmass::Trainer::lm : proofmass::Trainer::varpro;
   const proofmass::NetworkTrainer trainer(shape, samples, nullptr, options);
   return contend_training(request, rows, [&](std::span<const double> start, std::size_t epochs) {

@@ -16,13 +16,12 @@ Answer least_squares(const Request& request) {
   proofmass::Dataset record;
   for (std::size_t axis = 0; axis < 3; ++axis) record.acceleration[axis] = std::move(columns[axis]);
   record.output = std::move(columns[3]);
-  proofmass::IdentifyOptions options;
-  options.terms = proofmass::parse_terms("full");
-  const proofmass::Method& method = proofmass::find_method(request.variant);
+  const proofmass::IdentifyOptions options{.terms = proofmass::full_terms()};
+  const proofmass::Method method = proofmass::find_method(request.variant);
   if (request.variant == "wls") record.output_sigma.assign(record.rows(), 1e-6);
   proofmass::SilentProgress progress;
   proofmass::Identification result;
-  Answer answer = measure(request.seconds, [&] { result = method.identify(record, {}, options, progress); });
+  Answer answer = measure(request.seconds, [&] { result = fit(method, record, {}, options, progress); });
   answer.ns = 1e9 * answer.seconds / static_cast<double>(record.rows());
   for (const proofmass::Coefficient& c : result.coefficients) answer.values.push_back(c.value);
   return answer;

@@ -36,7 +36,7 @@ Density mixture(double x, const LocationDensity& noise) {
   const Density left = kernel(x + noise.distance);
   const Density right = kernel(x - noise.distance);
   const auto mix = [&noise](double m, double l, double r) {
-    return (1.0 - noise.share) * m + 0.5 * noise.share * (l + r);
+    return (1.0 - noise.fraction) * m + 0.5 * noise.fraction * (l + r);
   };
   return {.value = mix(middle.value, left.value, right.value),
           .slope = mix(middle.slope, left.slope, right.slope)};
@@ -45,7 +45,7 @@ Density mixture(double x, const LocationDensity& noise) {
 }  // namespace
 
 double location_information(const LocationDensity& noise) {
-  if (noise.share == 0.0) return noise.dof == 0.0 ? 1.0 : (noise.dof + 1.0) / (noise.dof + 3.0);
+  if (noise.fraction == 0.0) return noise.dof == 0.0 ? 1.0 : (noise.dof + 1.0) / (noise.dof + 3.0);
   constexpr double step = 0.004;
   const double reach = noise.distance + (noise.dof == 0.0 ? 12.0 : 400.0);
   double sum = 0.0;

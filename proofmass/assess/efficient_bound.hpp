@@ -10,11 +10,11 @@
 
 namespace proofmass {
 
-// Density of noise of scale 1: normal or Student, with a share of outliers at plus and minus `distance`
+// Density of noise of scale 1: normal or Student, with a fraction of outliers at plus and minus `distance`
 // scales, half of them on each side.
 struct LocationDensity {
   double dof = 0.0;  // of Student's t; 0: normal
-  double share = 0.0;
+  double fraction = 0.0;
   double distance = 0.0;
 };
 

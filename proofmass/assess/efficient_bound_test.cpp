@@ -12,11 +12,11 @@ TEST(EfficientBound, OutliersFarAwayTakeTheirShareOfTheInformation) {
   EXPECT_DOUBLE_EQ(location_information({}), 1.0);
   EXPECT_DOUBLE_EQ(location_information({.dof = 3.0}), 4.0 / 6.0);
   // Components that do not overlap: each keeps its own information.
-  EXPECT_NEAR(location_information({.share = 0.1, .distance = 40.0}), 1.0, 1e-6);
-  EXPECT_NEAR(location_information({.dof = 3.0, .share = 1e-9, .distance = 10.0}), 4.0 / 6.0, 1e-6);
+  EXPECT_NEAR(location_information({.fraction = 0.1, .distance = 40.0}), 1.0, 1e-6);
+  EXPECT_NEAR(location_information({.dof = 3.0, .fraction = 1e-9, .distance = 10.0}), 4.0 / 6.0, 1e-6);
   // Outliers at no distance are none.
-  EXPECT_NEAR(location_information({.share = 0.3, .distance = 0.0}), 1.0, 1e-6);
-  const double overlapping = location_information({.share = 0.1, .distance = 3.0});
+  EXPECT_NEAR(location_information({.fraction = 0.3, .distance = 0.0}), 1.0, 1e-6);
+  const double overlapping = location_information({.fraction = 0.1, .distance = 3.0});
   EXPECT_LT(overlapping, 0.9);
   EXPECT_GT(overlapping, 0.3);
 }

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/assess/metrics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace proofmass {
 namespace {
 
-// Over rows whose measured output is not zero; absent when all are.
-std::optional<double> mean_percentage_error(std::span<const double> measured,
-                                            std::span<const double> predicted) {
+// Fills mape_percent and mape_rows.
+void add_percentage_error(Metrics& metrics, std::span<const double> measured,
+                          std::span<const double> predicted) {
+  const auto [least, largest] = std::minmax_element(measured.begin(), measured.end());
+  const double floor = kMapeFloor * (*largest - *least);
   double sum = 0.0;
-  std::size_t counted = 0;
   for (std::size_t k = 0; k < measured.size(); ++k) {
-    if (measured[k] == 0.0) continue;
+    if (measured[k] == 0.0 || std::abs(measured[k]) < floor) continue;
     sum += std::abs((measured[k] - predicted[k]) / measured[k]);
-    ++counted;
+    ++metrics.mape_rows;
   }
-  if (counted == 0) return std::nullopt;
-  return 100.0 * sum / static_cast<double>(counted);
+  if (metrics.mape_rows > 0) metrics.mape_percent = 100.0 * sum / static_cast<double>(metrics.mape_rows);
 }
 
 // 1 - RSS / TSS; absent when the measured output does not vary.
@@ -51,12 +52,14 @@ Metrics score(std::span<const double> measured, std::span<const double> predicte
   }
   const auto n = static_cast<double>(measured.size());
   const double mse = squared / n;
-  return {.n = measured.size(),
-          .mae = std::abs(scale) * absolute / n,
-          .mse = scale * scale * mse,
-          .rmse = std::abs(scale) * std::sqrt(mse),
-          .mape_percent = mean_percentage_error(measured, predicted),
-          .r2 = determination(measured, squared)};
+  Metrics metrics;
+  metrics.n = measured.size();
+  metrics.mae = std::abs(scale) * absolute / n;
+  metrics.mse = scale * scale * mse;
+  metrics.rmse = std::abs(scale) * std::sqrt(mse);
+  add_percentage_error(metrics, measured, predicted);
+  metrics.r2 = determination(measured, squared);
+  return metrics;
 }
 
 }  // namespace proofmass

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -29,6 +30,19 @@ TEST(Metrics, ScaleConvertsErrorsAlone) {
   EXPECT_DOUBLE_EQ(metrics.mse, 5e5);
   EXPECT_DOUBLE_EQ(*metrics.mape_percent, 50.0);
   EXPECT_DOUBLE_EQ(*metrics.r2, 0.5);
+}
+
+// Errors relative to outputs below a hundredth of the range would say nothing.
+TEST(Metrics, PercentageErrorLeavesOutOutputsNearZero) {
+  const std::vector<double> measured{100.0, 1.0, 0.5, -0.5, 0.0};
+  const std::vector<double> predicted{110.0, 2.0, 5.0, 7.0, 3.0};
+  const Metrics metrics = score(measured, predicted);
+  EXPECT_EQ(metrics.n, 5U);
+  EXPECT_EQ(metrics.mape_rows, 1U) << "the range is 100.5";
+  EXPECT_DOUBLE_EQ(*metrics.mape_percent, 10.0);
+  const Metrics positive = score(std::span(measured).first(3), std::span(predicted).first(3), -2.0);
+  EXPECT_EQ(positive.mape_rows, 2U) << "the range is 99.5";
+  EXPECT_DOUBLE_EQ(*positive.mape_percent, 55.0);
 }
 
 TEST(Metrics, AbsentWhereUndefined) {

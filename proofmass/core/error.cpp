@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <system_error>
 
 #include "proofmass/core/utf8.hpp"
 
@@ -36,19 +38,29 @@ std::string excerpt(std::string_view text, std::size_t most) {
   return shown;
 }
 
-Error bad_data(const Place& place, std::string_view found, std::string_view expected) {
+Error bad_data(const Place& place, std::string_view found, std::string_view expected,
+               std::vector<Remedy> remedies) {
   std::string message = place.file;
   if (place.row > 0) message += fmt::format(":{}", place.row);
   message += ": ";
   if (!place.column.empty()) message += fmt::format("{} '{}': ", place.what, excerpt(place.column));
   if (!found.empty()) message += fmt::format("found '{}', ", excerpt(found));
   message += fmt::format("expected {}", expected);
-  return {ErrorKind::bad_data, message};
+  return {ErrorKind::bad_data, message, std::move(remedies)};
+}
+
+Error cannot_open(std::string_view file, int error_number) {
+  std::string reason = std::generic_category().message(error_number);
+  if (!reason.empty())
+    reason.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(reason.front())));
+  return {ErrorKind::bad_data, fmt::format("cannot open {}: {}", file, reason)};
 }
 
 Error usage_error(const std::string& message) { return {ErrorKind::usage, message}; }
 
-Error refusal(const std::string& message) { return {ErrorKind::refused, message}; }
+Error refusal(const std::string& message, std::vector<Remedy> remedies) {
+  return {ErrorKind::refused, message, std::move(remedies)};
+}
 
 int exit_code(ErrorKind kind) noexcept {
   switch (kind) {

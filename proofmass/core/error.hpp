@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace proofmass {
 
@@ -18,13 +20,23 @@ enum class ErrorKind {
   interrupted,  // the caller asked to stop
 };
 
+// An option that may help, by its name in the tables of options: "on-rank-loss" with the value "drop".
+// Programs say it in their own words: a flag, a keyword. An empty value leaves the value to the user.
+struct Remedy {
+  std::string option;
+  std::string value;
+};
+
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  Error(ErrorKind kind, const std::string& message, std::vector<Remedy> remedies = {})
+      : std::runtime_error(message), kind_(kind), remedies_(std::move(remedies)) {}
   [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
+  [[nodiscard]] const std::vector<Remedy>& remedies() const noexcept { return remedies_; }
 
  private:
   ErrorKind kind_;
+  std::vector<Remedy> remedies_;
 };
 
 // The place of a fault in a file. Row 0 means the whole file. Rows count lines from 1 as an editor does,
@@ -39,13 +51,17 @@ struct Place {
 
 // "file:row: column 'Ai': found 'abc', expected a number"; `found` longer than 60 characters is shortened and
 // its unprintable bytes are shown escaped. An empty `found` is left out.
-[[nodiscard]] Error bad_data(const Place& place, std::string_view found, std::string_view expected);
+[[nodiscard]] Error bad_data(const Place& place, std::string_view found, std::string_view expected,
+                             std::vector<Remedy> remedies = {});
 
 // The text for use in an error message: cut after `most` characters, unprintable bytes escaped.
 [[nodiscard]] std::string excerpt(std::string_view text, std::size_t most = 60);
 
+// "cannot open FILE: no such file or directory", by the operating system's error number.
+[[nodiscard]] Error cannot_open(std::string_view file, int error_number);
+
 [[nodiscard]] Error usage_error(const std::string& message);
-[[nodiscard]] Error refusal(const std::string& message);
+[[nodiscard]] Error refusal(const std::string& message, std::vector<Remedy> remedies = {});
 
 // The process exit code: 1 internal, 2 usage, 3 bad data, 4 refused, 130 interrupted.
 [[nodiscard]] int exit_code(ErrorKind kind) noexcept;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proofmass/core/error.hpp"
+
 namespace proofmass {
 namespace {
 
@@ -64,6 +66,13 @@ Coefficient referred(const Coefficient& raw, double ki, const Covariance& covari
 }
 
 }  // namespace
+
+const Coefficient& Identification::find(Term term) const {
+  for (const Coefficient& c : coefficients) {
+    if (c.term == term) return c;
+  }
+  throw usage_error("the term " + std::string(name(term)) + " was not among those to identify");
+}
 
 StaticModel Identification::static_model() const {
   StaticModel identified;

@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "proofmass/core/ending.hpp"
+#include "proofmass/core/finding.hpp"
 #include "proofmass/core/static_model.hpp"
 #include "proofmass/core/units.hpp"
 
@@ -33,13 +35,19 @@ struct Coefficient {
   std::string reason;     // why it is not identified, naming the terms it is confounded with
 };
 
+// Fraction of the range of the measured outputs below which an output has no relative error.
+inline constexpr double kMapeFloor = 0.01;
+
 struct Metrics {
   std::size_t n = 0;
   double mae = 0.0;  // in the output's declared unit
   double mse = 0.0;  // squared
   double rmse = 0.0;
-  std::optional<double> mape_percent;  // over rows whose measured output is not zero; absent when all are
-  std::optional<double> r2;            // absent when the measured output does not vary
+  // Over rows whose measured output is at least kMapeFloor of the range of the outputs: errors relative to an
+  // output near zero say nothing. Absent when there is no such row.
+  std::optional<double> mape_percent;
+  std::size_t mape_rows = 0;
+  std::optional<double> r2;  // absent when the measured output does not vary
 };
 
 // A named sequence with one value per iteration, such as a training curve or the convergence of the swarm.
@@ -87,33 +95,35 @@ struct Diagnostics {
   std::optional<double> r2_adjusted;
   std::optional<double> condition_raw;     // 2-norm condition number of the design matrix
   std::optional<double> condition_scaled;  // the same with columns scaled to unit length
-  // Fraction of hidden activations with |tanh| > 0.99 over the training rows.
-  std::optional<double> saturated_share;
-  // Rms over the training rows of the model's projection of the network's residual: what the network adds to
-  // least squares' coefficients.
-  std::optional<double> induced_deviation;
   // What the method spent: epochs of training, evaluations of a swarm that trains nothing, steps of an
   // iterative solution, or models computed, all together. Absent for direct solutions.
   std::optional<std::size_t> iterations;
-  std::optional<std::size_t> training_epochs;    // of all candidates together
-  std::optional<std::size_t> swarm_evaluations;  // of the swarm's fitness
-  std::optional<std::size_t> models_tried;       // by a search over models
-  std::vector<HiddenTrial> hidden_search;        // of the sizes tried, ascending; when one was asked for
-  std::optional<double> robust_scale;            // of the residuals: the standard deviation, were they normal
-  std::vector<SuspectRow> suspect_rows;          // largest residual first; robust methods only
-  // Distance of a derivative-free search from the least-squares solution that it searches for:
-  std::optional<double> optimum_rmse_ratio;  // its root mean square residual over the least possible one
-  std::optional<double> optimum_distance;    // largest coefficient difference, in its standard errors
-  std::vector<std::string> notes;            // what the user must know to read the result
 };
 
-// Origin of a result, with everything needed to repeat it.
-struct Provenance {
-  std::string version;
-  std::string input;  // file name
-  std::string input_sha256;
-  std::vector<std::pair<std::string, std::string>> options;  // resolved, in a fixed order
+// What a method tells beside that, each in a part of its own.
+struct NetworkDetails {
+  std::optional<double> saturated_fraction;  // of hidden activations over the training rows: |tanh| > 0.99
+  // Rms over the training rows of the model's projection of the network's residual: what the network adds to
+  // least squares' coefficients.
+  std::optional<double> induced_deviation;
+  std::size_t training_epochs = 0;               // of all candidates together
+  std::optional<std::size_t> swarm_evaluations;  // of the swarm's fitness, where there is a swarm
+  std::vector<HiddenTrial> hidden_search;        // of the sizes tried, ascending; when one was asked for
 };
+struct RobustDetails {
+  double scale = 0.0;                    // of the residuals: the standard deviation, were they normal
+  std::vector<SuspectRow> suspect_rows;  // largest residual first
+};
+struct GmdhDetails {
+  std::size_t models_tried = 0;
+};
+struct AfsaDetails {
+  std::size_t swarm_evaluations = 0;
+  // Distance of the search from the least-squares solution that it searches for:
+  double optimum_rmse_ratio = 1.0;  // its root mean square residual over the least possible one
+  double optimum_distance = 0.0;    // largest coefficient difference, in its standard errors
+};
+using Details = std::variant<std::monostate, NetworkDetails, RobustDetails, GmdhDetails, AfsaDetails>;
 
 struct Identification {
   std::string method;
@@ -121,15 +131,20 @@ struct Identification {
   std::uint64_t seed = 0;
   Unit output_unit;
   std::vector<Coefficient> coefficients;  // one a term asked for, canonical order
-  std::vector<double> covariance;         // of the identified coefficients, row-major; empty when unknown
+  // Of each axis that the training rows have, in g: beyond it, predictions extrapolate.
+  std::vector<std::pair<Axis, Interval>> input_range;
+  std::vector<double> covariance;  // of the identified coefficients, row-major; empty when unknown
   std::optional<TrainedNetwork>
       network;  // used for prediction by network methods; the others predict by the static model
   std::optional<Metrics> train, validation, test;
   Ending ending;
   std::vector<Curve> history;
   Diagnostics diagnostics;
-  Provenance provenance;
+  Details details;                // of the method; monostate for those that have none
+  std::vector<Finding> findings;  // what must be known to read the result
 
+  // The coefficient of a term. Throws a usage Error when the term was not asked for.
+  [[nodiscard]] const Coefficient& find(Term term) const;
   // The identified coefficients as a model.
   [[nodiscard]] StaticModel static_model() const;
 };

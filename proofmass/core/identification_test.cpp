@@ -5,7 +5,10 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
+
+#include "proofmass/core/error.hpp"
 
 namespace proofmass {
 namespace {
@@ -36,6 +39,23 @@ TEST(Identification, StaticModelHoldsWhatWasIdentified) {
   const StaticModel model = in_milliamperes().static_model();
   EXPECT_EQ(model.terms, (TermList{Term::K0, Term::Ki, Term::Ko}));
   EXPECT_EQ(model.coefficients, (std::vector{0.004, -1.25, 0.5}));
+}
+
+TEST(Identification, FindsTheCoefficientOfATerm) {
+  const Identification result = in_milliamperes();
+  for (const Coefficient& c : result.coefficients) EXPECT_EQ(&result.find(c.term), &c) << name(c.term);
+  EXPECT_EQ(result.find(Term::Ki).value, -1.25);
+  EXPECT_FALSE(result.find(Term::Kii).identified) << "asked for, though not identified";
+}
+
+TEST(Identification, HasNoCoefficientOfATermThatWasNotAskedFor) {
+  try {
+    (void)in_milliamperes().find(Term::Kop);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_NE(std::string(error.what()).find("Kop"), std::string::npos) << error.what();
+  }
 }
 
 // Propagates the covariance through x/Ki by central differences, as an independent check.

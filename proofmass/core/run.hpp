@@ -2,7 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "proofmass/core/identification.hpp"
 
 namespace proofmass {
 
@@ -11,6 +15,21 @@ struct Split {
   std::vector<std::size_t> training;
   std::vector<std::size_t> validation;
   std::vector<std::size_t> test;
+};
+
+// Where a result came from, enough to make it again.
+struct Provenance {
+  std::string version;
+  std::string input;  // file name
+  std::string input_sha256;
+  std::vector<std::pair<std::string, std::string>> options;  // resolved, in a fixed order
+};
+
+// A record's way through the pipeline: which rows did what, what came of it, and by which settings.
+struct Run {
+  Split split;  // empty parts when the run was read from a result file, which does not keep them
+  Identification identification;
+  Provenance provenance;
 };
 
 }  // namespace proofmass

@@ -102,15 +102,20 @@ double regressor(Term term, const Acceleration& a) noexcept {
 
 TermList parse_terms(std::string_view text) {
   const auto word = trimmed(text);
-  if (word == "linear") return sorted(kLinear);
-  if (word == "quadratic") return sorted(kQuadratic);
-  if (word == "paper") return sorted(kPaper);
-  if (word == "full") {
-    TermList list;
-    for (const auto& entry : kTerms) list.push_back(entry.term);
-    return list;
-  }
+  if (word == "linear") return linear_terms();
+  if (word == "quadratic") return quadratic_terms();
+  if (word == "paper") return paper_terms();
+  if (word == "full") return full_terms();
   return parse_list(word);
+}
+
+TermList linear_terms() { return sorted(kLinear); }
+TermList quadratic_terms() { return sorted(kQuadratic); }
+TermList paper_terms() { return sorted(kPaper); }
+TermList full_terms() {
+  TermList list;
+  for (const auto& entry : kTerms) list.push_back(entry.term);
+  return list;
 }
 
 std::string join_names(const TermList& terms) {

@@ -75,6 +75,10 @@ using TermList = std::vector<Term>;  // canonical order, no repeats
 // A preset (linear, quadratic, paper, full) or a comma-separated list of names. Throws a usage Error that
 // states the name that is unknown or repeated.
 [[nodiscard]] TermList parse_terms(std::string_view text);
+[[nodiscard]] TermList linear_terms();
+[[nodiscard]] TermList quadratic_terms();
+[[nodiscard]] TermList paper_terms();
+[[nodiscard]] TermList full_terms();
 [[nodiscard]] std::string join_names(const TermList& terms);
 
 }  // namespace proofmass

@@ -38,10 +38,10 @@ std::string read_text_file(const std::filesystem::path& path, std::string_view w
   if (path == "-") return read_stream(stdin, {.file = "standard input", .row = 0, .column = {}}, what, most);
   const Place place{.file = path.string(), .row = 0, .column = {}};
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw bad_data(place, "a directory", what);
+  if (std::filesystem::is_directory(path, ignored)) throw cannot_open(place.file, EISDIR);
   errno = 0;
   const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw bad_data(place, std::generic_category().message(errno), what);
+  if (!file) throw cannot_open(place.file, errno);
   return read_stream(file.get(), place, what, most);
 }
 

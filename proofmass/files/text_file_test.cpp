@@ -33,7 +33,8 @@ TEST(TextFile, ReadsEveryByte) {
 TEST(TextFile, RefusesWhatItCannotRead) {
   using testing::HasSubstr;
   const test::TemporaryFolder folder;
-  EXPECT_THAT(refusal_of(folder.path() / "none", 100), HasSubstr("No such file"));
+  EXPECT_THAT(refusal_of(folder.path() / "none", 100),
+              HasSubstr("cannot open " + (folder.path() / "none").string() + ": no such file"));
   EXPECT_THAT(refusal_of(folder.path(), 100), HasSubstr("a directory"));
   EXPECT_THAT(refusal_of("/dev/zero", 1U << 20U), HasSubstr("more than 1 MiB"));
 }

@@ -13,6 +13,7 @@
 #include "proofmass/identify/method.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/pipeline.hpp"
+#include "proofmass/split.hpp"
 #include "support/method_forms.hpp"
 #include "support/twin.hpp"
 
@@ -24,16 +25,10 @@ using testing::HasSubstr;
 
 // Small networks and swarms: the laws hold for poor fits as for good ones. The epochs must suffice for a
 // network to converge, or what a law allows to vary in the last bit decides how far training has come.
-IdentifyOptions law_options(const Form& form) {
-  IdentifyOptions options;
-  options.terms = parse_terms("paper");
-  options.network.hidden = 3;
-  options.network.epochs = 600;
-  options.swarm.particles = 12;
-  options.swarm.iterations = 8;
-  options.uncertainty = {.input = 2e-4, .output = 3e-4};
-  if (form.change != nullptr) form.change(options);
-  return options;
+Method small(const Form& form) {
+  Method method = form.method;
+  test::make_small(method);
+  return method;
 }
 
 // Uncertainties that grow with the first input by a factor of five, in the output's unit.
@@ -45,13 +40,10 @@ Dataset with_sigma(Dataset record) {
   return record;
 }
 
-Identification identify(const Form& method, const Dataset& record, const IdentifyOptions& options) {
+Identification fitted(const Form& form, const Dataset& record,
+                      const IdentifyOptions& options = {.terms = paper_terms()}) {
   SilentProgress progress;
-  return method.identify(method.with_sigma ? with_sigma(record) : record, {}, options, progress);
-}
-
-Identification identify(const Form& method, const Dataset& record) {
-  return identify(method, record, law_options(method));
+  return fit(small(form), form.with_sigma ? with_sigma(record) : record, {}, options, progress);
 }
 
 Dataset shuffled(const Dataset& record) {
@@ -71,16 +63,16 @@ Dataset rewritten(Dataset record, const Unit& unit) {
 }
 
 // `other`'s coefficients times `factor` must be `reference`'s: to 1e-10 where the method is exact, otherwise
-// to a share of the standard error.
-void expect_same_coefficients(const Form& method, const Identification& reference,
-                              const Identification& other, double factor, double share) {
+// to a fraction of the standard error.
+void expect_same_coefficients(const Form& form, const Identification& reference, const Identification& other,
+                              double factor, double fraction) {
   ASSERT_EQ(reference.coefficients.size(), other.coefficients.size());
   for (std::size_t k = 0; k < reference.coefficients.size(); ++k) {
     const Coefficient& expected = reference.coefficients[k];
     const double error = expected.standard_error.value_or(0.0);
-    const double tolerance = method.exact_without_noise || error == 0.0
-                                 ? method.rounding * std::max(std::abs(expected.value), error)
-                                 : share * error;
+    const double tolerance = form.exact_without_noise || error == 0.0
+                                 ? form.rounding * std::max(std::abs(expected.value), error)
+                                 : fraction * error;
     EXPECT_NEAR(other.coefficients[k].value * factor, expected.value, tolerance) << name(expected.term);
   }
 }
@@ -102,7 +94,7 @@ TEST_P(Law, SameSeedSameBitsForAnyThreads) {
   const Dataset record = test::make_twin();
   const auto with_threads = [&record](std::size_t threads) {
     const ThreadLimit limit(threads);
-    return identify(GetParam(), record);
+    return fitted(GetParam(), record);
   };
   const Identification once = with_threads(1);
   expect_same_bits(once, with_threads(1), record);
@@ -113,7 +105,7 @@ TEST_P(Law, ExactWithoutNoise) {
   if (!GetParam().exact_without_noise) GTEST_SKIP() << "the method does not promise it";
   const StaticModel truth = test::paper_truth();
   const Dataset record = test::make_twin({.noise = 0.0});
-  const Identification result = identify(GetParam(), record);
+  const Identification result = fitted(GetParam(), record);
   const double largest = std::abs(*std::max_element(record.output.begin(), record.output.end()));
   for (const Coefficient& c : result.coefficients) {
     double regressor_sum = 0.0;
@@ -128,14 +120,14 @@ TEST_P(Law, ExactWithoutNoise) {
 
 TEST_P(Law, RowOrderDoesNotMatter) {
   const Dataset record = test::make_twin();
-  expect_same_coefficients(GetParam(), identify(GetParam(), record), identify(GetParam(), shuffled(record)),
-                           1.0, 0.05);
+  expect_same_coefficients(GetParam(), fitted(GetParam(), record), fitted(GetParam(), shuffled(record)), 1.0,
+                           0.05);
 }
 
 TEST_P(Law, UnitOfAccelerationDoesNotMatter) {
   const Dataset record = test::make_twin();
   const Dataset metric = rewritten(record, find_unit("m/s^2").value());
-  expect_same_coefficients(GetParam(), identify(GetParam(), record), identify(GetParam(), metric), 1.0, 0.1);
+  expect_same_coefficients(GetParam(), fitted(GetParam(), record), fitted(GetParam(), metric), 1.0, 0.1);
 }
 
 TEST_P(Law, CoefficientsScaleWithTheOutput) {
@@ -145,8 +137,7 @@ TEST_P(Law, CoefficientsScaleWithTheOutput) {
   Dataset millivolts = volts;
   millivolts.output_unit = find_unit("mV").value();
   for (double& value : millivolts.output) value *= 1000.0;
-  expect_same_coefficients(GetParam(), identify(GetParam(), volts), identify(GetParam(), millivolts), 1e-3,
-                           0.1);
+  expect_same_coefficients(GetParam(), fitted(GetParam(), volts), fitted(GetParam(), millivolts), 1e-3, 0.1);
 }
 
 // Ai alone, and an accelerometer that heeds nothing else.
@@ -158,10 +149,9 @@ Dataset input_axis_only() {
 }
 
 TEST_P(Law, RefusesRankLossNamingTheTerms) {
-  IdentifyOptions options = law_options(GetParam());
-  options.terms = parse_terms("linear");
+  const IdentifyOptions options{.terms = parse_terms("linear")};
   try {
-    (void)identify(GetParam(), input_axis_only(), options);
+    (void)fitted(GetParam(), input_axis_only(), options);
     ADD_FAILURE() << "no refusal";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::refused);
@@ -172,10 +162,8 @@ TEST_P(Law, RefusesRankLossNamingTheTerms) {
 
 TEST_P(Law, DropsLostTermsAndMarksThem) {
   if (!GetParam().takes_one_axis) GTEST_SKIP() << "the method needs two axes";
-  IdentifyOptions options = law_options(GetParam());
-  options.terms = parse_terms("linear");
-  options.on_rank_loss = RankLossPolicy::drop;
-  const Identification result = identify(GetParam(), input_axis_only(), options);
+  const IdentifyOptions options{.terms = parse_terms("linear"), .on_rank_loss = RankLossPolicy::drop};
+  const Identification result = fitted(GetParam(), input_axis_only(), options);
   ASSERT_EQ(result.coefficients.size(), 4U);
   EXPECT_NEAR(result.coefficients[0].value, 1e-3, 3e-4);
   EXPECT_NEAR(result.coefficients[1].value, 0.9, 1e-4);
@@ -187,9 +175,8 @@ TEST_P(Law, DropsLostTermsAndMarksThem) {
 
 TEST_P(Law, PredictAgreesWithTheFit) {
   const Dataset record = GetParam().with_sigma ? with_sigma(test::make_twin()) : test::make_twin();
-  const IdentifyOptions options = law_options(GetParam());
-  SilentProgress progress;
-  const Identification result = run(record, GetParam(), options, {}, progress);
+  const IdentifyOptions options{.terms = paper_terms()};
+  const Identification result = identify(record, small(GetParam()), options).identification;
   const Dataset training = record.select(split_rows(record.rows(), {}, options.seed).training);
   const Metrics again = score(training.output, predict(result, training));
   ASSERT_TRUE(result.train.has_value());

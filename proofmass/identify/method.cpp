@@ -3,72 +3,97 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/model/term_rows.hpp"
-#include "proofmass/identify/network/bp.hpp"
-#include "proofmass/identify/network/hybrid.hpp"
-#include "proofmass/identify/network/pso_bp.hpp"
+#include "proofmass/identify/network/presets.hpp"
 #include "proofmass/identify/network/scaling.hpp"
-#include "proofmass/identify/regression/eiv.hpp"
-#include "proofmass/identify/regression/ols.hpp"
-#include "proofmass/identify/regression/robust.hpp"
-#include "proofmass/identify/regression/tls.hpp"
-#include "proofmass/identify/regression/wls.hpp"
-#include "proofmass/identify/search/afsa.hpp"
-#include "proofmass/identify/search/gmdh.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 
 namespace proofmass {
 namespace {
 
-SigmaColumns weights_column(const IdentifyOptions& options) {
-  return {.output = options.wls.weights != WeightSource::model, .inputs = false};
+// One of each alternative, in the order of the list.
+template <std::size_t... index>
+std::array<Method, sizeof...(index)> one_of_each(std::index_sequence<index...>) {
+  return {Method(std::in_place_index<index>)...};
 }
 
-SigmaColumns columns_without_constants(const IdentifyOptions& options) {
-  return {.output = !options.uncertainty.output, .inputs = !options.uncertainty.input};
+template <typename MethodOrConst>
+auto* network_options_of(MethodOrConst& method) noexcept {
+  using Options = std::conditional_t<std::is_const_v<MethodOrConst>, const NetworkOptions, NetworkOptions>;
+  return std::visit(
+      [](auto& own) -> Options* {
+        if constexpr (requires { own.network; }) {
+          return &own.network;
+        } else {
+          return nullptr;
+        }
+      },
+      method);
 }
-
-constexpr std::array kMethods{
-    Method{"ols", "ordinary least squares on the terms of the static model", false, false, true,
-           identify_ols},
-    Method{"wls", "least squares weighted by sigma_E, or by noise found to grow with |A|", false, false, true,
-           identify_wls, weights_column},
-    Method{"robust", "M-estimation that holds outliers down (--loss) and lists them", false, false, true,
-           identify_robust},
-    Method{"bp", "a tanh network trained by back-propagation (Levenberg-Marquardt)", true, true, false,
-           identify_bp},
-    Method{"pso-bp", "a tanh network whose initial weights come from a particle swarm", true, true, false,
-           identify_pso_bp},
-    Method{"tls", "mixed least squares and total least squares; a reference, biased for powers", false, false,
-           true, identify_tls, columns_without_constants},
-    Method{"eiv", "errors in variables: true accelerations found along with the coefficients", false, false,
-           true, identify_eiv, columns_without_constants},
-    Method{"hybrid", "static model and network together, hidden units chosen by evidence", false, false, true,
-           identify_hybrid},
-    Method{"gmdh", "terms or polynomial network chosen by an external criterion", false, false, true,
-           identify_gmdh},
-    Method{"afsa", "an artificial fish swarm over the coefficients; a reference for ols", false, false, false,
-           identify_afsa},
-};
 
 }  // namespace
 
-std::span<const Method> methods() noexcept { return kMethods; }
+std::span<const Method> methods() {
+  static const auto all = one_of_each(std::make_index_sequence<std::variant_size_v<Method>>());
+  return all;
+}
 
-const Method& find_method(std::string_view name) {
+Method find_method(std::string_view name) {
   std::string known;
-  for (const Method& method : kMethods) {
-    if (method.name == name) return method;
-    known += (known.empty() ? "" : ", ") + std::string(method.name);
+  for (const Method& method : methods()) {
+    if (info(method).name == name) return method;
+    known += (known.empty() ? "" : ", ") + std::string(info(method).name);
   }
-  throw usage_error("unknown method '" + std::string(name) + "'; expected one of " + known);
+  throw usage_error("unknown method '" + excerpt(name) + "'; expected one of " + known);
+}
+
+const MethodInfo& info(const Method& method) noexcept {
+  return std::visit([](const auto& own) -> const MethodInfo& { return own.info; }, method);
+}
+
+Identification fit(const Method& method, const Dataset& training, const Dataset& validation,
+                   const IdentifyOptions& options, Progress& progress) {
+  return std::visit(
+      [&](const auto& own) {
+        require_in_range(own);
+        if constexpr (own.info.predicts_by_network) {
+          return fit(own, training, validation, options, progress);
+        } else {
+          return fit(own, training, options, progress);
+        }
+      },
+      method);
+}
+
+SigmaColumns sigma_columns(const Method& method) noexcept {
+  return std::visit(
+      [](const auto& own) {
+        if constexpr (requires { own.sigma_columns(); }) {
+          return own.sigma_columns();
+        } else {
+          return SigmaColumns{};
+        }
+      },
+      method);
+}
+
+NetworkOptions* network_options(Method& method) noexcept { return network_options_of(method); }
+const NetworkOptions* network_options(const Method& method) noexcept { return network_options_of(method); }
+
+bool apply_paper_preset(Method& method) {
+  if (auto* const bp = std::get_if<Bp>(&method)) return apply_paper_preset(*bp), true;
+  if (auto* const pso_bp = std::get_if<PsoBp>(&method)) return apply_paper_preset(*pso_bp), true;
+  return false;
 }
 
 std::vector<double> predict(const Identification& fit, const Dataset& inputs) {
   if (fit.network) return network_outputs(*fit.network, inputs);
-  for (const Method& method : kMethods) {
-    if (method.name == fit.method && method.predicts_by_network) {
+  for (const Method& method : methods()) {
+    if (info(method).name == fit.method && info(method).predicts_by_network) {
       throw bad_data({.file = {}, .row = 0, .column = {}},
                      "a result of " + fit.method + " without its network",
                      "the network, which alone predicts as the fit did");

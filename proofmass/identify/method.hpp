@@ -1,39 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one interface of every method of identification, and the list of those there are.
+// Every method of identification there is, and the one interface of all.
 #pragma once
 
 #include <span>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/progress.hpp"
-#include "proofmass/identify/model/options.hpp"
-#include "proofmass/identify/regression/uncertainties.hpp"
+#include "proofmass/identify/network/bp.hpp"
+#include "proofmass/identify/network/hybrid.hpp"
+#include "proofmass/identify/network/pso_bp.hpp"
+#include "proofmass/identify/options/identify_options.hpp"
+#include "proofmass/identify/options/method_info.hpp"
+#include "proofmass/identify/regression/eiv.hpp"
+#include "proofmass/identify/regression/ols.hpp"
+#include "proofmass/identify/regression/robust.hpp"
+#include "proofmass/identify/regression/tls.hpp"
+#include "proofmass/identify/regression/wls.hpp"
+#include "proofmass/identify/search/afsa.hpp"
+#include "proofmass/identify/search/gmdh.hpp"
 
 namespace proofmass {
 
-struct Method {
-  std::string_view name;     // as --method takes it
-  std::string_view summary;  // one line, for --help
-  bool predicts_by_network;  // the fit predicts by its network, not by the coefficients
-  bool takes_hidden;         // its network has the number of hidden units that the options say
-  bool exact_without_noise;  // recovers the coefficients of a noise-free record to rounding
-  // Fits the training rows; network methods stop early on the validation rows when there are any. Fills
-  // method, coefficients with covariance and standard errors, network, ending, history and what of the
-  // diagnostics is the method's own; intervals and metrics are assess's. Throws a refusal when the terms
-  // cannot be identified or no usable fit came out, bad data when the record cannot serve the method.
-  Identification (*identify)(const Dataset& training, const Dataset& validation,
-                             const IdentifyOptions& options, Progress& progress);
-  // The record's sigma columns that a fit with these options goes by; null for methods that go by none.
-  SigmaColumns (*sigma_columns)(const IdentifyOptions& options) = nullptr;
-};
+// A method with its options. Each is a struct of options with `info`, `fields` and a function `fit`.
+using Method = std::variant<Ols, Wls, Robust, Bp, PsoBp, Tls, Eiv, Hybrid, Gmdh, Afsa>;
 
-[[nodiscard]] std::span<const Method> methods() noexcept;
+// All of them with default options, in the order in which they are listed.
+[[nodiscard]] std::span<const Method> methods();
 
 // Throws a usage Error listing the names there are when `name` is not among them.
-[[nodiscard]] const Method& find_method(std::string_view name);
+[[nodiscard]] Method find_method(std::string_view name);
+
+[[nodiscard]] const MethodInfo& info(const Method& method) noexcept;
+
+// Fits the training rows; network methods stop early on the validation rows when there are any, and the
+// others have no use for them. Fills method, coefficients with covariance and standard errors, network,
+// ending, history, findings and what of the diagnostics is the method's own; intervals and metrics are
+// assess's. Throws a refusal when the terms cannot be identified or no usable fit came out, bad data when the
+// record cannot serve the method, a usage Error on options that make no sense.
+[[nodiscard]] Identification fit(const Method& method, const Dataset& training, const Dataset& validation,
+                                 const IdentifyOptions& options, Progress& progress);
+
+// The record's sigma columns that a fit goes by; none for most methods.
+[[nodiscard]] SigmaColumns sigma_columns(const Method& method) noexcept;
+
+// The options of the method's network; null where it has none of a size that the options say.
+[[nodiscard]] NetworkOptions* network_options(Method& method) noexcept;
+[[nodiscard]] const NetworkOptions* network_options(const Method& method) noexcept;
+
+// Sets the method as the paper has it; false where the paper says nothing of it.
+bool apply_paper_preset(Method& method);
 
 // The output that an identification predicts for each row of inputs, in the output's canonical unit: by its
 // network when it has one, otherwise by its static model. Throws bad data when the inputs lack an axis that

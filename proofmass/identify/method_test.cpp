@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <string_view>
 
 #include "proofmass/core/error.hpp"
 #include "support/networks.hpp"
@@ -18,9 +20,10 @@ using testing::HasSubstr;
 TEST(Methods, AreFoundByTheirNames) {
   std::set<std::string_view> names;
   for (const Method& method : methods()) {
-    EXPECT_TRUE(names.insert(method.name).second) << method.name;
-    EXPECT_EQ(find_method(method.name).identify, method.identify);
-    EXPECT_FALSE(method.summary.empty()) << method.name;
+    const std::string_view name = info(method).name;
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_EQ(find_method(name).index(), method.index()) << name;
+    EXPECT_FALSE(info(method).summary.empty()) << name;
   }
   for (const char* name : {"ols", "bp", "pso-bp"}) EXPECT_TRUE(names.contains(name)) << name;
 }
@@ -32,7 +35,8 @@ TEST(Methods, UnknownNameListsTheKnown) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::usage);
     EXPECT_THAT(error.what(), HasSubstr("'magic'"));
-    for (const Method& method : methods()) EXPECT_THAT(error.what(), HasSubstr(std::string(method.name)));
+    for (const Method& method : methods())
+      EXPECT_THAT(error.what(), HasSubstr(std::string(info(method).name)));
   }
 }
 

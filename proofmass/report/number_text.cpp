@@ -37,4 +37,11 @@ std::string plus_minus_text(double value, double standard_error) {
                      std::max(decimals, 0));
 }
 
+std::string determination_text(double r2) {
+  constexpr double kClose = 1e-4;
+  const double lacking = 1.0 - r2;
+  if (lacking > 0.0 && lacking < kClose) return fmt::format("1 - {:.3g}", lacking);
+  return fmt::format("{:.6g}", r2);
+}
+
 }  // namespace proofmass

@@ -17,4 +17,7 @@ namespace proofmass {
 // "13.0617 ± 0.0224": both with the decimals that show two digits of the error.
 [[nodiscard]] std::string plus_minus_text(double value, double standard_error);
 
+// R², as "0.998712"; where 1 - R² is below 1e-4 as what it lacks of one, "1 - 2.31e-13".
+[[nodiscard]] std::string determination_text(double r2);
+
 }  // namespace proofmass

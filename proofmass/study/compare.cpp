@@ -17,7 +17,7 @@ Contestant contest(const Dataset& record, const Entry& entry, std::size_t repeat
   IdentifyOptions options = entry.options;
   for (std::size_t r = 0; r < repeats; ++r, ++options.seed) {
     const auto start = std::chrono::steady_clock::now();
-    contestant.runs.push_back(run(record, *entry.method, options, entry.split, progress));
+    contestant.runs.push_back(identify(record, entry.method, options, progress));
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     contestant.seconds.push_back(time.count());
   }
@@ -34,11 +34,11 @@ Comparison compare(const Dataset& record, std::span<const Entry> entries, std::s
   comparison.repeats = repeats;
   for (const Entry& entry : entries) {
     comparison.seed = entry.options.seed;
-    comparison.training_share = entry.split.training_share;
+    comparison.training_fraction = entry.options.split;
     try {
       comparison.contestants.push_back(contest(record, entry, repeats, progress));
     } catch (const Error& error) {
-      throw Error(error.kind(), fmt::format("{}: {}", entry.name, error.what()));
+      throw Error(error.kind(), fmt::format("{}: {}", entry.name, error.what()), error.remedies());
     }
   }
   return comparison;

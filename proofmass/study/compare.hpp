@@ -18,9 +18,8 @@ namespace proofmass {
 // One entry of a comparison: a name to show and what to run.
 struct Entry {
   std::string name;
-  const Method* method = nullptr;
+  Method method;
   IdentifyOptions options;
-  SplitOptions split;
 };
 
 // Runs every entry on the record `repeats` times, repeat r with the seed of its options plus r for split and

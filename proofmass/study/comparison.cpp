@@ -7,10 +7,10 @@ namespace proofmass {
 namespace {
 
 template <typename Figure>
-std::optional<Spread> spread_over(const std::vector<Identification>& runs, Figure figure) {
+std::optional<Spread> spread_over(const std::vector<Run>& runs, Figure figure) {
   std::vector<double> values;
-  for (const Identification& run : runs) {
-    const std::optional<double> value = figure(run);
+  for (const Run& run : runs) {
+    const std::optional<double> value = figure(run.identification);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
@@ -19,9 +19,9 @@ std::optional<Spread> spread_over(const std::vector<Identification>& runs, Figur
 
 using Part = std::optional<Metrics> Identification::*;
 
-std::optional<MetricSpreads> spreads_of(const std::vector<Identification>& runs, Part part) {
-  for (const Identification& run : runs) {
-    if (!(run.*part)) return std::nullopt;
+std::optional<MetricSpreads> spreads_of(const std::vector<Run>& runs, Part part) {
+  for (const Run& run : runs) {
+    if (!(run.identification.*part)) return std::nullopt;
   }
   const auto of = [&runs, part](auto member) {
     return spread_over(
@@ -89,14 +89,15 @@ CostRatios ratios_to(const Contestant& reference, const Contestant& contestant) 
   return ratios;
 }
 
-TruthScore score_against(const StaticModel& truth, std::span<const Identification> runs,
+TruthScore score_against(const StaticModel& truth, std::span<const Run> runs,
                          std::span<const std::vector<double>> bound) {
   TruthScore score;
   RootMeanSquare over_standard_error;
   RootMeanSquare over_bound;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    for (std::size_t k = 0; k < runs[r].coefficients.size(); ++k) {
-      const Coefficient& c = runs[r].coefficients[k];
+    const std::vector<Coefficient>& coefficients = runs[r].identification.coefficients;
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      const Coefficient& c = coefficients[k];
       if (!c.identified && !c.left_out) continue;
       const double error = (c.identified ? c.value : 0.0) - truth.coefficient(c.term);
       if (std::abs(error) > score.largest_error) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "proofmass/core/identification.hpp"
+#include "proofmass/core/run.hpp"
 #include "proofmass/core/static_model.hpp"
 
 namespace proofmass {
@@ -39,7 +39,7 @@ struct TruthScore {
 // What one method came to: its runs, one a repeat, and their summary.
 struct Contestant {
   std::string method;
-  std::vector<Identification> runs;
+  std::vector<Run> runs;
   std::vector<double> seconds;  // of each run, wall clock
   std::optional<MetricSpreads> train, test;
   Spread time;                       // s
@@ -51,9 +51,9 @@ struct Comparison {
   std::string input;
   std::uint64_t seed = 0;  // of the first repeat; repeat r uses seed + r, for all methods alike
   std::size_t repeats = 1;
-  double training_share = 0.7;
+  double training_fraction = 0.7;
   std::vector<Contestant> contestants;
-  std::vector<std::string> notes;  // what the user must know to read it
+  std::vector<Finding> findings;  // on the record and its truth
 };
 
 // Mean figures of one method over those of another, as the paper gives its cost; absent where either lacks
@@ -69,7 +69,7 @@ void summarise(Contestant& contestant);
 // Coefficients against the truth (same units); one left out by choice is an estimate of zero, without a
 // standard error, and one that the rows cannot identify does not count. `bound` has the Cramér-Rao bound of
 // each run's coefficients that count, a vector a run in the order of its coefficients, or is empty.
-[[nodiscard]] TruthScore score_against(const StaticModel& truth, std::span<const Identification> runs,
+[[nodiscard]] TruthScore score_against(const StaticModel& truth, std::span<const Run> runs,
                                        std::span<const std::vector<double>> bound);
 
 }  // namespace proofmass

@@ -14,8 +14,6 @@
 namespace proofmass {
 namespace {
 
-double magnitude(const Acceleration& a) { return std::hypot(a.i, a.o, a.p); }
-
 bool noisy_inputs(const SimulationPlan& plan) {
   return std::any_of(plan.input_sigma.begin(), plan.input_sigma.end(),
                      [](double sigma) { return sigma > 0.0; });
@@ -42,8 +40,8 @@ class NoiseInformation {
  public:
   explicit NoiseInformation(const OutputNoise& noise) : noise_(noise) {}
   double operator()(double scale) {
-    LocationDensity density{.dof = noise_.student_dof.value_or(0.0), .share = noise_.outlier_share};
-    if (density.share == 0.0) return location_information(density);
+    LocationDensity density{.dof = noise_.student_dof.value_or(0.0), .fraction = noise_.outlier_fraction};
+    if (density.fraction == 0.0) return location_information(density);
     const double distance = noise_.outlier_magnitude / scale;
     const long key = std::lround(100.0 * std::log(std::max(distance, 1e-6)));
     const auto [found, fresh] = known_.try_emplace(key, 0.0);
@@ -75,15 +73,14 @@ std::vector<double> bound_of(const Identification& run, const Dataset& training,
   return bound;
 }
 
-std::vector<std::vector<double>> bounds_of(const Contestant& contestant, const Entry& entry,
-                                           const Dataset& record, std::span<const double> information) {
+std::vector<std::vector<double>> bounds_of(const Contestant& contestant, const Dataset& record,
+                                           std::span<const double> information) {
   std::vector<std::vector<double>> bounds;
   if (information.empty()) return bounds;
-  for (const Identification& run : contestant.runs) {
-    const Split split = split_rows(record.rows(), split_for(*entry.method, entry.split), run.seed);
+  for (const Run& run : contestant.runs) {
     std::vector<double> weights;
-    for (const std::size_t row : split.training) weights.push_back(information[row]);
-    bounds.push_back(bound_of(run, record.select(split.training), weights));
+    for (const std::size_t row : run.split.training) weights.push_back(information[row]);
+    bounds.push_back(bound_of(run.identification, record.select(run.split.training), weights));
   }
   return bounds;
 }
@@ -101,7 +98,7 @@ std::vector<double> output_variances(const SimulationPlan& plan, const Dataset& 
   std::vector<double> variances;
   for (std::size_t row = 0; row < record.rows(); ++row) {
     const Acceleration a = record.at(row);
-    double variance = std::pow(plan.output_per_g * plan.noise.scale(magnitude(a)), 2);
+    double variance = std::pow(plan.output_per_g * plan.noise.scale(std::hypot(a.i, a.o, a.p)), 2);
     if (noisy_inputs(plan)) variance += variance_through_inputs(plan, truth, a);
     variances.push_back(variance);
   }
@@ -109,28 +106,26 @@ std::vector<double> output_variances(const SimulationPlan& plan, const Dataset& 
 }
 
 std::vector<double> row_information(const SimulationPlan& plan, const Dataset& record) {
-  const bool normal = !plan.noise.student_dof && plan.noise.outlier_share == 0.0;
+  const bool normal = !plan.noise.student_dof && plan.noise.outlier_fraction == 0.0;
   if (noisy_inputs(plan) && !normal) return {};
   const std::vector<double> variances = output_variances(plan, record);
   NoiseInformation shape(plan.noise);
   std::vector<double> information;
   for (std::size_t row = 0; row < record.rows(); ++row) {
     if (!(variances[row] > 0.0)) return {};
-    const double scale = plan.noise.scale(magnitude(record.at(row)));
+    const Acceleration a = record.at(row);
+    const double scale = plan.noise.scale(std::hypot(a.i, a.o, a.p));
     information.push_back((normal ? 1.0 : shape(scale)) / variances[row]);
   }
   return information;
 }
 
-void score_truth(Comparison& comparison, const Dataset& record, std::span<const Entry> entries,
-                 const SimulationPlan& plan) {
+void score_truth(Comparison& comparison, const Dataset& record, const SimulationPlan& plan) {
   require_same_output(plan, record);
   const std::vector<double> information = row_information(plan, record);
   const StaticModel truth = plan.truth();
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    Contestant& contestant = comparison.contestants.at(k);
-    contestant.truth =
-        score_against(truth, contestant.runs, bounds_of(contestant, entries[k], record, information));
+  for (Contestant& contestant : comparison.contestants) {
+    contestant.truth = score_against(truth, contestant.runs, bounds_of(contestant, record, information));
   }
 }
 

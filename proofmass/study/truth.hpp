@@ -2,12 +2,11 @@
 // What is known when a record was simulated: how well its coefficients can be identified at all.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
-#include "proofmass/study/compare.hpp"
+#include "proofmass/study/comparison.hpp"
 
 namespace proofmass {
 
@@ -26,9 +25,8 @@ void require_same_output(const SimulationPlan& plan, const Dataset& record);
 
 // Fills every contestant's distance from the plan's truth, over standard errors and over the Cramér-Rao
 // bound of the terms that it identified, or left out by choice, from its training rows. The bound is for a
-// model that holds: what the plan has unmodelled counts as error. The entries are those that were compared.
-// Throws a usage Error when plan and record have outputs of different kinds.
-void score_truth(Comparison& comparison, const Dataset& record, std::span<const Entry> entries,
-                 const SimulationPlan& plan);
+// model that holds: what the plan has unmodelled counts as error. Throws a usage Error when plan and record
+// have outputs of different kinds.
+void score_truth(Comparison& comparison, const Dataset& record, const SimulationPlan& plan);
 
 }  // namespace proofmass

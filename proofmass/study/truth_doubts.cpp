@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/study/truth_doubts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -40,27 +38,26 @@ std::pair<double, double> planned_magnitudes(const SimulationPlan& plan) {
   return magnitudes(simulate(exact, plan.mounted->points(), plan.seed));
 }
 
-void doubt_inputs(const SimulationPlan& plan, const Dataset& record, std::vector<std::string>& doubts) {
+void doubt_inputs(const SimulationPlan& plan, const Dataset& record, std::vector<Finding>& doubts) {
   const auto [least, largest] = magnitudes(record);
   const auto [from, to] = planned_magnitudes(plan);
   const auto& sigma = plan.input_sigma;
   const double room = kFewSigmas * std::hypot(sigma[0], sigma[1], sigma[2]) + kRounding * to;
   if (least >= from - room && largest <= to + room) return;
-  doubts.push_back(fmt::format(
-      "the record's accelerations are from {:.4g} to {:.4g} g, those of the truth's plan from {:.4g} to "
-      "{:.4g} g",
-      least, largest, from, to));
+  doubts.push_back({.code = Code::inputs_unlike_plan,
+                    .severity = Severity::warning,
+                    .figures = {{"least", least}, {"largest", largest}, {"from", from}, {"to", to}}});
 }
 
 // The magnitude that half of the plan's noise stays below, in scales.
 double median_magnitude(const OutputNoise& noise) {
-  const double share = 0.5 + 0.25 / std::max(0.5, 1.0 - noise.outlier_share);
-  const double probability = std::min(share, 0.99);
+  const double fraction = 0.5 + 0.25 / std::max(0.5, 1.0 - noise.outlier_fraction);
+  const double probability = std::min(fraction, 0.99);
   if (!noise.student_dof) return boost::math::quantile(boost::math::normal(), probability);
   return boost::math::quantile(boost::math::students_t(*noise.student_dof), probability);
 }
 
-void doubt_outputs(const SimulationPlan& plan, const Dataset& record, std::vector<std::string>& doubts) {
+void doubt_outputs(const SimulationPlan& plan, const Dataset& record, std::vector<Finding>& doubts) {
   const std::vector<double> variances = output_variances(plan, record);
   const StaticModel truth = plan.truth();
   std::vector<double> distances;
@@ -75,21 +72,20 @@ void doubt_outputs(const SimulationPlan& plan, const Dataset& record, std::vecto
   const double ratio = *middle / median_magnitude(plan.noise);
   const double room = 0.05 + kFewSigmas * kMedianSpread / std::sqrt(static_cast<double>(record.rows()));
   if (ratio > 0.0 && std::abs(std::log(ratio)) <= room) return;
-  doubts.push_back(fmt::format(
-      "the record's outputs lie {:.3g} times as far from the truth's as its noise explains (by the "
-      "median over the rows)",
-      ratio));
+  doubts.push_back(
+      {.code = Code::outputs_unlike_plan, .severity = Severity::warning, .figures = {{"ratio", ratio}}});
 }
 
 }  // namespace
 
-std::vector<std::string> doubts_about_truth(const SimulationPlan& plan, const Dataset& record,
-                                            const std::string& named) {
+std::vector<Finding> doubts_about_truth(const SimulationPlan& plan, const Dataset& record,
+                                        const std::string& named) {
   require_same_output(plan, record);
-  std::vector<std::string> doubts;
+  std::vector<Finding> doubts;
   if (!named.empty() && named != plan.source) {
-    doubts.push_back(
-        fmt::format("the record says that it was simulated from {}, the truth is {}", named, plan.source));
+    doubts.push_back({.code = Code::other_plan_named,
+                      .severity = Severity::warning,
+                      .figures = {{"named", named}, {"plan", plan.source}}});
   }
   doubt_inputs(plan, record, doubts);
   doubt_outputs(plan, record, doubts);

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/study/compare.hpp"
 #include "proofmass/study/truth_doubts.hpp"
+#include "support/findings.hpp"
 
 namespace proofmass {
 namespace {
@@ -49,7 +51,7 @@ TEST(RowInformation, IsUnknownWithoutNoiseOrWithBothKindsAtOnce) {
   exact.noise.sigma = 0.0;
   EXPECT_TRUE(row_information(exact, simulate(exact)).empty());
   SimulationPlan both = plan();
-  both.noise.outlier_share = 0.01;
+  both.noise.outlier_fraction = 0.01;
   both.noise.outlier_magnitude = 1.0;
   EXPECT_FALSE(row_information(both, simulate(both)).empty());
   both.input_sigma = {0.1, 0.1, 0.1};
@@ -59,11 +61,10 @@ TEST(RowInformation, IsUnknownWithoutNoiseOrWithBothKindsAtOnce) {
 TEST(ScoreTruth, LeastSquaresUnderWhiteNoiseIsAtTheBound) {
   const SimulationPlan white = plan();
   const Dataset record = simulate(white);
-  Entry entry{.name = "ols", .method = &find_method("ols"), .options = {}, .split = {}};
-  entry.options.terms = white.model.terms;
+  const Entry entry{.name = "ols", .method = Ols{}, .options = {.terms = white.model.terms}};
   SilentProgress progress;
   Comparison comparison = compare(record, std::span(&entry, 1), 40, progress);
-  score_truth(comparison, record, std::span(&entry, 1), white);
+  score_truth(comparison, record, white);
   const TruthScore& score = comparison.contestants.at(0).truth.value();
   // The 40 splits share one record, so this is one draw of two terms, not eighty.
   EXPECT_GT(score.rms_over_bound.value(), 0.1);
@@ -72,14 +73,14 @@ TEST(ScoreTruth, LeastSquaresUnderWhiteNoiseIsAtTheBound) {
 
   SimulationPlan in_g = white;
   in_g.output_unit = {};
-  EXPECT_THROW(score_truth(comparison, record, std::span(&entry, 1), in_g), Error);
+  EXPECT_THROW(score_truth(comparison, record, in_g), Error);
 }
 
 // A method that keeps none of the slope in Ao.
 Comparison without_ko(const Dataset& record, const Entry& entry, bool by_choice) {
   SilentProgress progress;
   Comparison comparison = compare(record, std::span(&entry, 1), 1, progress);
-  Coefficient& ko = comparison.contestants[0].runs[0].coefficients.at(1);
+  Coefficient& ko = comparison.contestants[0].runs[0].identification.coefficients.at(1);
   ko = {};
   ko.term = Term::Ko;
   ko.identified = false;
@@ -90,16 +91,15 @@ Comparison without_ko(const Dataset& record, const Entry& entry, bool by_choice)
 TEST(ScoreTruth, ATermLeftOutByChoiceIsAnEstimateOfZero) {
   const SimulationPlan white = plan();
   const Dataset record = simulate(white);
-  Entry entry{.name = "ols", .method = &find_method("ols"), .options = {}, .split = {}};
-  entry.options.terms = white.model.terms;
+  const Entry entry{.name = "ols", .method = Ols{}, .options = {.terms = white.model.terms}};
   Comparison chosen = without_ko(record, entry, true);
-  score_truth(chosen, record, std::span(&entry, 1), white);
+  score_truth(chosen, record, white);
   EXPECT_EQ(chosen.contestants[0].truth->largest_term, Term::Ko);
   EXPECT_DOUBLE_EQ(chosen.contestants[0].truth->largest_error, 1.0);
   EXPECT_GT(chosen.contestants[0].truth->rms_over_bound.value(), 50.0);
 
   Comparison lost = without_ko(record, entry, false);
-  score_truth(lost, record, std::span(&entry, 1), white);
+  score_truth(lost, record, white);
   EXPECT_EQ(lost.contestants[0].truth->largest_term, Term::Ki);
   EXPECT_LT(lost.contestants[0].truth->rms_over_bound.value(), 5.0);
 }
@@ -110,8 +110,9 @@ TEST(DoubtsAboutTruth, AreNoneForTheRecordsOwnPlan) {
     if (dof > 0.0) white.noise.student_dof = dof;
     for (const std::size_t rows : {5U, 60U, 2000U}) {
       for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        EXPECT_EQ(doubts_about_truth(white, simulate(white, rows, seed), white.source),
-                  std::vector<std::string>{});
+        const auto doubts = doubts_about_truth(white, simulate(white, rows, seed), white.source);
+        EXPECT_TRUE(doubts.empty()) << to_string(doubts.front().code) << ", rows " << rows << ", seed "
+                                    << seed;
       }
     }
   }
@@ -120,22 +121,38 @@ TEST(DoubtsAboutTruth, AreNoneForTheRecordsOwnPlan) {
 TEST(DoubtsAboutTruth, NameWhatDoesNotFit) {
   const SimulationPlan white = plan();
   const Dataset record = simulate(white, 500, 1);
-  const auto doubts = [&record](const SimulationPlan& truth) {
-    return doubts_about_truth(truth, record, "").size();
+  // The only doubt about the record.
+  const auto doubt = [&record](const SimulationPlan& truth, const std::string& named) {
+    const std::vector<Finding> doubts = doubts_about_truth(truth, record, named);
+    EXPECT_EQ(doubts.size(), 1U);
+    EXPECT_EQ(doubts.at(0).severity, Severity::warning);
+    return doubts.at(0);
   };
   SimulationPlan louder = white;
   louder.noise.sigma = 0.3;
-  EXPECT_EQ(doubts(louder), 1U);
+  const Finding quiet = doubt(louder, "");
+  EXPECT_EQ(quiet.code, Code::outputs_unlike_plan);
+  EXPECT_NEAR(test::number(quiet, "ratio"), 1.0 / 3.0, 0.1);
   SimulationPlan other = white;
   other.model.coefficients[0] = 1.1;
-  EXPECT_EQ(doubts(other), 1U);
+  const Finding distant = doubt(other, "");
+  EXPECT_EQ(distant.code, Code::outputs_unlike_plan);
+  EXPECT_GT(test::number(distant, "ratio"), 2.0);
   SimulationPlan gentler = white;
   gentler.sphere->maximum = 10.0;
-  EXPECT_EQ(doubts(gentler), 1U);
-  EXPECT_EQ(doubts_about_truth(white, record, "another.toml").size(), 1U);
+  const Finding beyond = doubt(gentler, "");
+  EXPECT_EQ(beyond.code, Code::inputs_unlike_plan);
+  EXPECT_EQ(test::number(beyond, "to"), 10.0);
+  EXPECT_EQ(test::number(beyond, "from"), white.sphere->minimum);
+  EXPECT_GT(test::number(beyond, "largest"), 10.0);
+  EXPECT_GE(test::number(beyond, "least"), white.sphere->minimum * (1.0 - 1e-9));
+  const Finding misnamed = doubt(white, "another.toml");
+  EXPECT_EQ(misnamed.code, Code::other_plan_named);
+  EXPECT_EQ(test::word(misnamed, "named"), "another.toml");
+  EXPECT_EQ(test::word(misnamed, "plan"), white.source);
   SimulationPlan in_g = white;
   in_g.output_unit = {};
-  EXPECT_THROW((void)doubts(in_g), Error);
+  EXPECT_THROW((void)doubts_about_truth(in_g, record, ""), Error);
 }
 
 }  // namespace

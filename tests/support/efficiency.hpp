@@ -23,8 +23,8 @@ inline SimulationPlan shipped_plan(const std::string& name) {
 
 inline LocationDensity density_of(const OutputNoise& noise) {
   return {.dof = noise.student_dof.value_or(0.0),
-          .share = noise.outlier_share,
-          .distance = noise.outlier_share > 0.0 ? noise.outlier_magnitude / noise.sigma : 0.0};
+          .fraction = noise.outlier_fraction,
+          .distance = noise.outlier_fraction > 0.0 ? noise.outlier_magnitude / noise.sigma : 0.0};
 }
 
 // Smallest possible standard errors of an unbiased estimator of the terms from the record. The information
@@ -47,7 +47,7 @@ struct Efficiency {
   double over_stated = 0.0;
 };
 
-inline Efficiency measure_efficiency(std::string_view method, const SimulationPlan& plan,
+inline Efficiency measure_efficiency(const Method& method, const SimulationPlan& plan,
                                      const IdentifyOptions& options, std::uint64_t seeds) {
   const StaticModel truth = plan.truth();
   const double information = location_information(density_of(plan.noise));
@@ -57,7 +57,7 @@ inline Efficiency measure_efficiency(std::string_view method, const SimulationPl
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Dataset record = simulate(plan, plan.rows, seed);
     const std::vector<double> bound = cramer_rao_errors(plan, record, options.terms, information);
-    const Identification result = find_method(method).identify(record, {}, options, progress);
+    const Identification result = fit(method, record, {}, options, progress);
     for (std::size_t k = 0; k < bound.size(); ++k) {
       const Coefficient& c = result.coefficients[k];
       const double error = c.value - truth.coefficient(c.term);

@@ -11,7 +11,7 @@
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/progress.hpp"
 #include "proofmass/identify/network/scaling.hpp"
-#include "proofmass/identify/network/starts.hpp"
+#include "proofmass/identify/network/training/starts.hpp"
 
 namespace proofmass::test {
 

@@ -15,7 +15,6 @@
 #include "interrupts.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/version.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/report/json/comparison.hpp"
 #include "proofmass/report/terminal/comparison.hpp"
@@ -52,17 +51,17 @@ std::vector<std::string> names_of(const std::vector<std::string>& lists) {
 }
 
 std::vector<Entry> entries_of(const CompareFlags& flags) {
-  const IdentifySettings settings = flags.identify.settings();
-  std::vector<Entry> entries;
-  for (const std::string& name : names_of(flags.methods)) {
+  const std::vector<std::string> names = names_of(flags.methods);
+  for (const std::string& name : names) {
     if (name.empty())
       throw usage_error("--methods: found an empty name, expected a method before and after every comma");
-    const auto same = [&name](const Entry& entry) { return entry.name == name; };
-    if (std::any_of(entries.begin(), entries.end(), same)) {
+    if (std::count(names.begin(), names.end(), name) > 1)
       throw usage_error("--methods: '" + name + "' is listed twice");
-    }
-    entries.push_back(
-        {.name = name, .method = &find_method(name), .options = settings.options, .split = settings.split});
+  }
+  const IdentifyOptions options = flags.identify.options();
+  std::vector<Entry> entries;
+  for (Method& method : flags.identify.methods(names)) {
+    entries.push_back({std::string(info(method).name), std::move(method), options});
   }
   return entries;
 }
@@ -75,20 +74,6 @@ std::string plan_named_by(const std::string& record) {
   return plan_named_in(file);
 }
 
-void add_provenance(Comparison& comparison, const Dataset& record, const IdentifyFlags& identify) {
-  for (Contestant& contestant : comparison.contestants) {
-    IdentifySettings settings = identify.settings();
-    settings.method = contestant.method;
-    for (Identification& run : contestant.runs) {
-      settings.options.seed = run.seed;
-      run.provenance = {.version = std::string(version()),
-                        .input = record.source,
-                        .input_sha256 = record.source_sha256,
-                        .options = describe(settings)};
-    }
-  }
-}
-
 void run_compare(const CompareFlags& flags) {
   const std::vector<Entry> entries = entries_of(flags);
   const auto columns = renames(flags.map);
@@ -98,15 +83,14 @@ void run_compare(const CompareFlags& flags) {
   if (!flags.truth.empty()) truth = read_simulation(flags.truth);
   ConsoleProgress progress(flags.common.quiet);
   const Dataset record = read_record(flags.record, {.rename = columns}, progress);
-  std::vector<std::string> doubts;
+  std::vector<Finding> doubts;
   if (truth) doubts = doubts_about_truth(*truth, record, plan_named_by(flags.record));
   const InterruptGuard guard;
   const ThreadLimit limit(flags.common.threads);
   Comparison comparison = compare(record, entries, flags.repeats, progress);
   progress.clear();
-  if (truth) score_truth(comparison, record, entries, *truth);
-  comparison.notes = std::move(doubts);
-  add_provenance(comparison, record, flags.identify);
+  if (truth) score_truth(comparison, record, *truth);
+  comparison.findings = std::move(doubts);
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
   if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style()));
@@ -127,7 +111,7 @@ Action add_compare(CLI::App& verb) {
   add_path(verb, "--truth", flags->truth,
            "The plan that the record was simulated by: adds how far the coefficients are from the truth")
       ->type_name("STAND.toml");
-  flags->identify.add_to(verb, IdentifyFlags::Method::given_elsewhere);
+  flags->identify.add_to(verb, IdentifyFlags::Naming::elsewhere);
   add_map(verb, flags->map);
   add_json(verb, flags->json);
   add_common(verb, flags->common);

@@ -65,7 +65,7 @@ TEST_F(CompareVerb, DoubtsATruthThatIsNotTheRecords) {
         proofmass({"compare", record, "--methods", "ols", "--truth", truth, "--json", at("c.json")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json notes = read_json("c.json").value("notes", Json::array());
-    for (const std::string note : notes) EXPECT_NE(outcome.out.find("note: " + note), std::string::npos);
+    for (const std::string note : notes) EXPECT_NE(outcome.out.find("warning: " + note), std::string::npos);
     return notes.dump();
   };
   EXPECT_EQ(notes_with(write("twin.toml", read_file(PROOFMASS_SOURCE_DIR "/data/twin-10ug.toml"))), "[]");

@@ -13,8 +13,8 @@
 #include "interrupts.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/version.hpp"
 #include "proofmass/numeric/parallel.hpp"
+#include "proofmass/pipeline.hpp"
 #include "proofmass/report/csv.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/terminal/terminal.hpp"
@@ -34,34 +34,26 @@ struct VerbFlags {
   std::string out;
 };
 
-Identification identify(const Dataset& record, const IdentifySettings& settings, const VerbFlags& flags,
-                        Progress& progress) {
+Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options,
+             const VerbFlags& flags, Progress& progress) {
   const ThreadLimit limit(flags.common.threads);
-  Identification result =
-      run(record, find_method(settings.method), settings.options, settings.split, progress);
-  auto options = describe(settings);
+  Run run = proofmass::identify(record, method, options, progress);
+  for (auto& [name, text] : flags.identify.more()) run.provenance.options.emplace_back(name, text);
   std::string map;
   for (const auto& [column, name] : renames(flags.map)) {
     map += fmt::format("{}{}={}", map.empty() ? "" : ",", column, name);
   }
-  options.emplace_back("map", map);
-  result.provenance = {.version = std::string(version()),
-                       .input = record.source,
-                       .input_sha256 = record.source_sha256,
-                       .options = std::move(options)};
-  return result;
+  run.provenance.options.emplace_back("map", map);
+  return run;
 }
 
 // predictions.csv: what the fit says about every row of the record, and which part the row was in.
-std::string predictions(const Identification& result, const Dataset& record,
-                        const IdentifySettings& settings) {
-  const Split split = split_rows(record.rows(), split_for(find_method(settings.method), settings.split),
-                                 settings.options.seed);
+std::string predictions(const Run& run, const Dataset& record) {
   std::vector<Part> parts(record.rows(), Part::training);
-  for (const std::size_t row : split.validation) parts[row] = Part::validation;
-  for (const std::size_t row : split.test) parts[row] = Part::test;
+  for (const std::size_t row : run.split.validation) parts[row] = Part::validation;
+  for (const std::size_t row : run.split.test) parts[row] = Part::test;
   std::ostringstream text;
-  write_predictions(text, record, predict(result, record), parts);
+  write_predictions(text, record, predict(run.identification, record), parts);
   return text.str();
 }
 
@@ -71,19 +63,18 @@ std::string history(const Identification& result) {
   return text.str();
 }
 
-void write_result(const Identification& result, const Dataset& record, const IdentifySettings& settings,
-                  const VerbFlags& flags) {
-  const std::string json = to_json(result);
+void write_result(const Run& run, const Dataset& record, const VerbFlags& flags) {
+  const std::string json = to_json(run);
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, json);
   if (!flags.out.empty()) {
     const fs::path folder = flags.out;
     files.make_folder(folder);
     files.add(folder / "result.json", json);
-    files.add(folder / "predictions.csv", predictions(result, record, settings));
-    files.add(folder / "history.csv", history(result));
+    files.add(folder / "predictions.csv", predictions(run, record));
+    files.add(folder / "history.csv", history(run.identification));
   }
-  if (flags.json != "-") files.add("-", render_table(result, terminal_style()));
+  if (flags.json != "-") files.add("-", render_table(run.identification, terminal_style()));
   files.commit();
 }
 
@@ -99,15 +90,16 @@ void require_writable(const VerbFlags& flags) {
 }
 
 void run_identify(const VerbFlags& flags) {
-  const IdentifySettings settings = flags.identify.settings();
+  const Method method = flags.identify.method();
+  const IdentifyOptions options = flags.identify.options();
   const auto columns = renames(flags.map);
   require_writable(flags);
   ConsoleProgress progress(flags.common.quiet);
   const Dataset record = read_record(flags.record, {.rename = columns}, progress);
   const InterruptGuard guard;
-  const Identification result = identify(record, settings, flags, progress);
+  const Run run = identify(record, method, options, flags, progress);
   progress.clear();
-  write_result(result, record, settings, flags);
+  write_result(run, record, flags);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "proofmass/identify/method.hpp"
 #include "support/command_line.hpp"
+#include "support/quick_flags.hpp"
 
 namespace proofmass::test {
 namespace {
@@ -13,17 +14,15 @@ namespace {
 using IdentifyVerb = CommandLine;
 
 // Small enough to be quick with every method.
-std::vector<std::string> quick(const std::string& record, std::string_view method) {
-  return {"identify",          record, "--method",         std::string(method),
-          "--epochs",          "30",   "--particles",      "6",
-          "--iterations",      "4",    "--refine",         "2",
-          "--on-rank-loss",    "drop", "--sigma-input-ug", "100",
-          "--sigma-output-ug", "10"};
-}
-
 std::vector<std::string> operator+(std::vector<std::string> list, const std::vector<std::string>& more) {
   list.insert(list.end(), more.begin(), more.end());
   return list;
+}
+
+std::vector<std::string> quick(const std::string& record, std::string_view method) {
+  return std::vector<std::string>{"identify",          record,           "--method",
+                                  std::string(method), "--on-rank-loss", "drop"} +
+         test::quick_flags(method);
 }
 
 TEST_F(IdentifyVerb, PrintsATableAndWritesTheFilesItNames) {
@@ -48,12 +47,12 @@ TEST_F(IdentifyVerb, PrintsATableAndWritesTheFilesItNames) {
 TEST_F(IdentifyVerb, GivesTheSameBytesForAnyNumberOfThreads) {
   const std::string record = make_record();
   for (const Method& method : methods()) {
-    const Outcome one =
-        proofmass(quick(record, method.name) + std::vector<std::string>{"--threads", "1", "--json", "-"});
-    const Outcome two =
-        proofmass(quick(record, method.name) + std::vector<std::string>{"--threads", "2", "--json", "-"});
-    EXPECT_EQ(one.exit_code, 0) << method.name << ": " << one.err;
-    EXPECT_EQ(one.out, two.out) << method.name;
+    const Outcome one = proofmass(quick(record, info(method).name) +
+                                  std::vector<std::string>{"--threads", "1", "--json", "-"});
+    const Outcome two = proofmass(quick(record, info(method).name) +
+                                  std::vector<std::string>{"--threads", "2", "--json", "-"});
+    EXPECT_EQ(one.exit_code, 0) << info(method).name << ": " << one.err;
+    EXPECT_EQ(one.out, two.out) << info(method).name;
   }
 }
 
@@ -75,10 +74,11 @@ TEST_F(IdentifyVerb, SeeksTheNumberOfHiddenUnits) {
   }
   EXPECT_EQ(chosen, 1U);
   EXPECT_EQ(result["provenance"]["options"]["hidden"], "search");
-  expect_failure(proofmass({"identify", record, "--hidden", "seek"}), 2, {"--hidden", "'seek'", "or search"});
+  expect_failure(proofmass({"identify", record, "--method", "bp", "--hidden", "seek"}), 2,
+                 {"--hidden", "'seek'", "or search"});
   expect_failure(
       proofmass({"identify", record, "--method", "bp", "--hidden", "search", "--validation-share", "0.001"}),
-      2, {"0.001", "none of 140 rows"});
+      2, {"0.001", "no validation row of 200"});
 }
 
 TEST_F(IdentifyVerb, ReadsStandardInputAndKeepsStandardOutputForTheJson) {
@@ -91,7 +91,8 @@ TEST_F(IdentifyVerb, ReadsStandardInputAndKeepsStandardOutputForTheJson) {
 TEST_F(IdentifyVerb, LetsFlagsOverrideThePresetInAnyOrder) {
   const std::string record = make_record();
   const auto options_of = [&](const std::vector<std::string>& more) {
-    const Outcome fit = proofmass(std::vector<std::string>{"identify", record, "--json", "-"} + more);
+    const Outcome fit = proofmass(quick(record, "pso-bp") +
+                                  std::vector<std::string>{"--fitness-epochs", "1", "--json", "-"} + more);
     EXPECT_EQ(fit.exit_code, 0) << fit.err;
     return Json::parse(fit.out)["provenance"]["options"];
   };

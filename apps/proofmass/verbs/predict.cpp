@@ -11,10 +11,12 @@
 #include "common_flags.hpp"
 #include "console_progress.hpp"
 #include "output.hpp"
+#include "proofmass/assess/extrapolation.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/method.hpp"
 #include "proofmass/report/csv.hpp"
 #include "proofmass/report/json/json.hpp"
+#include "proofmass/report/text/en.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -38,27 +40,12 @@ void require_finite(const std::vector<double>& outputs, const Dataset& inputs) {
   }
 }
 
-// A network knows nothing of what lies outside the rows it was trained on; a word of that to standard error.
+// A word to standard error, for standard output is the prediction.
 void warn_of_extrapolation(const Identification& fit, const Dataset& inputs, bool quiet) {
-  if (!fit.network || quiet) return;
-  std::size_t outside = 0;
-  std::size_t first = 0;
-  for (std::size_t r = 0; r < inputs.rows(); ++r) {
-    bool inside = true;
-    for (std::size_t k = 0; k < fit.network->inputs.size(); ++k) {
-      const double a = inputs.along(fit.network->inputs[k])[r];
-      const Interval& range = fit.network->input_range[k];
-      inside = inside && a >= range.low && a <= range.high;
-    }
-    if (!inside && outside++ == 0) first = inputs.line.empty() ? r + 1 : inputs.line[r];
+  if (quiet) return;
+  if (const auto finding = find_extrapolation(fit, inputs)) {
+    std::fputs(fmt::format("proofmass: warning: {}\n", english(*finding)).c_str(), stderr);
   }
-  if (outside == 0) return;
-  const std::string note = fmt::format(
-      "proofmass: note: {} of {} rows lie outside the range that the network was trained on (first: line "
-      "{}); there it "
-      "extrapolates\n",
-      outside, inputs.rows(), first);
-  std::fputs(note.c_str(), stderr);
 }
 
 void run_predict(const PredictFlags& flags) {
@@ -68,7 +55,7 @@ void run_predict(const PredictFlags& flags) {
   require_other_file(flags.out, {flags.result, flags.inputs});
   require_folder_of(flags.out);
   const auto columns = renames(flags.map);
-  const Identification fit = read_result(flags.result);
+  const Identification fit = read_result(flags.result).identification;
   ConsoleProgress progress(flags.common.quiet);
   const Dataset inputs = read_record(flags.inputs, {.rename = columns, .require_output = false}, progress);
   progress.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/method.hpp"
 #include "support/command_line.hpp"
+#include "support/quick_flags.hpp"
 
 namespace proofmass::test {
 namespace {
@@ -27,10 +28,12 @@ TestRows test_rows(const std::vector<std::vector<std::string>>& table) {
 TEST_F(PredictVerb, RepeatsTheFitsOwnTestPredictionsToTheLastBit) {
   const std::string record = make_record();
   for (const Method& method : methods()) {
-    const Outcome fit = proofmass({"identify", record, "--method", std::string(method.name),
-                                   "--sigma-input-ug", "100", "--sigma-output-ug", "10", "--epochs", "20",
-                                   "--particles", "5", "--iterations", "3", "--out", at("results")});
-    ASSERT_EQ(fit.exit_code, 0) << method.name << ": " << fit.err;
+    std::vector<std::string> command{"identify", record,       "--method", std::string(info(method).name),
+                                     "--out",    at("results")};
+    const std::vector<std::string> quick = test::quick_flags(info(method).name);
+    command.insert(command.end(), quick.begin(), quick.end());
+    const Outcome fit = proofmass(command);
+    ASSERT_EQ(fit.exit_code, 0) << info(method).name << ": " << fit.err;
     const TestRows rows = test_rows(cells(read("results/predictions.csv")));
     ASSERT_EQ(rows.predicted.size(), 90U);
     const Outcome made = proofmass({"predict", at("results/result.json"), "-"}, rows.inputs);
@@ -39,7 +42,7 @@ TEST_F(PredictVerb, RepeatsTheFitsOwnTestPredictionsToTheLastBit) {
     EXPECT_EQ(table[0], (std::vector<std::string>{"Ai[g]", "Ao[g]", "Ap[g]", "E_predicted[g]"}));
     ASSERT_EQ(table.size(), 91U);
     for (std::size_t k = 0; k < rows.predicted.size(); ++k) {
-      EXPECT_EQ(table[k + 1][3], rows.predicted[k]) << method.name;
+      EXPECT_EQ(table[k + 1][3], rows.predicted[k]) << info(method).name;
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "proofmass/assess/metrics.hpp"
@@ -36,13 +37,15 @@ struct Parts {
   Dataset training, validation;
 };
 
-double validation_rmse(const Parts& parts, const Method& method, const IdentifyOptions& options, bool early,
+// With the method's network as it is, on the rows set aside.
+double validation_rmse(const Parts& parts, const Method& method, const IdentifyOptions& options,
                        Progress& progress) {
   const Dataset none = parts.validation.select(std::vector<std::size_t>{});
-  const Identification fit =
-      method.identify(parts.training, early ? parts.validation : none, options, progress);
+  const bool early = network_options(method)->early_stopping;
+  const Identification trained =
+      fit(method, parts.training, early ? parts.validation : none, options, progress);
   const double to_declared = 1.0 / parts.validation.output_unit.to_canonical;
-  return score(parts.validation.output, predict(fit, parts.validation), to_declared).rmse;
+  return score(parts.validation.output, predict(trained, parts.validation), to_declared).rmse;
 }
 
 // Sizes that the rows of a repeat can train; the smallest one at least, for the method to refuse.
@@ -78,7 +81,7 @@ std::size_t choose_hidden(std::span<const HiddenTrial> trials) {
 
 std::vector<HiddenTrial> try_hidden_sizes(const Dataset& rows, const Method& method,
                                           const IdentifyOptions& options, std::span<const Split> splits,
-                                          bool early_stopping, Progress& progress) {
+                                          Progress& progress) {
   const std::size_t repeats = splits.size();
   if (repeats < 2)
     throw usage_error(fmt::format("a search needs at least 2 repeats of each size, got {}", repeats));
@@ -92,10 +95,11 @@ std::vector<HiddenTrial> try_hidden_sizes(const Dataset& rows, const Method& met
     steps.require_going();  // preparing the rows of all trials that are left would take long
     HiddenTrial& trial = trials[trials.size() - 1 - k / repeats];
     const std::size_t r = k % repeats;
-    IdentifyOptions trial_options = options;
-    trial_options.network.hidden = trial.hidden;
-    trial_options.seed = options.seed + r;
-    trial.validation_rmse[r] = validation_rmse(parts[r], method, trial_options, early_stopping, steps);
+    Method sized = method;
+    network_options(sized)->hidden = trial.hidden;
+    IdentifyOptions seeded = options;
+    seeded.seed += r;
+    trial.validation_rmse[r] = validation_rmse(parts[r], sized, seeded, steps);
     steps.step();
   });
   for (HiddenTrial& trial : trials) {

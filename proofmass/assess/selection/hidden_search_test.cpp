@@ -6,6 +6,7 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/pipeline.hpp"
+#include "proofmass/split.hpp"
 #include "support/twin.hpp"
 
 namespace proofmass {
@@ -20,22 +21,23 @@ HiddenTrial trial(std::size_t hidden, double mean, double spread) {
           .spread = spread};
 }
 
-IdentifyOptions searching() {
-  IdentifyOptions options;
-  options.terms = parse_terms("quadratic");
-  options.network.search_hidden = true;
-  options.network.search_repeats = 2;
-  options.network.epochs = 30;
-  return options;
+Bp searching() {
+  Bp method;
+  method.network.hidden.reset();
+  method.network.search_repeats = 2;
+  method.network.training.epochs = 30;
+  return method;
 }
 
-std::vector<HiddenTrial> try_sizes(const Dataset& record, const IdentifyOptions& options) {
+IdentifyOptions quadratic_model() { return {.terms = parse_terms("quadratic")}; }
+
+std::vector<HiddenTrial> try_sizes(const Dataset& record, const Bp& method) {
   SilentProgress progress;
-  const SplitOptions split;
-  return try_hidden_sizes(
-      record, find_method("bp"), options,
-      split_for_trials(record.rows(), split, options.seed, options.network.search_repeats),
-      split.early_stopping, progress);
+  const IdentifyOptions options = quadratic_model();
+  const SplitOptions split{.validation_fraction = method.network.validation_fraction};
+  return try_hidden_sizes(record, method, options,
+                          split_for_trials(record.rows(), split, options.seed, method.network.search_repeats),
+                          progress);
 }
 
 TEST(HiddenSizes, FollowTheRuleOfThePaper) {
@@ -52,9 +54,8 @@ TEST(HiddenSizes, TheFewestWithinOneStandardErrorOfTheLeastMean) {
 
 TEST(HiddenSearch, FindsTheSizeThatTheRecordNeedsAndUsesIt) {
   const Dataset record = test::make_twin({.rows = 400, .noise = 1e-4});
-  SilentProgress progress;
-  const Identification result = run(record, find_method("bp"), searching(), {}, progress);
-  const auto& trials = result.diagnostics.hidden_search;
+  const Identification result = identify(record, searching(), quadratic_model()).identification;
+  const auto& trials = std::get<NetworkDetails>(result.details).hidden_search;
   ASSERT_EQ(trials.size(), 10U);
   ASSERT_TRUE(result.network.has_value());
   const std::size_t chosen = choose_hidden(trials);
@@ -67,12 +68,12 @@ TEST(HiddenSearch, FindsTheSizeThatTheRecordNeedsAndUsesIt) {
 
 TEST(HiddenSearch, SameBitsForAnyNumberOfThreads) {
   const Dataset record = test::make_twin({.rows = 200});
-  IdentifyOptions options = searching();
-  options.network.epochs = 5;
+  Bp method = searching();
+  method.network.training.epochs = 5;
   const auto trials_with = [&](std::size_t threads) {
     const ThreadLimit limit(threads);
     std::vector<double> all;
-    for (const HiddenTrial& one : try_sizes(record, options)) {
+    for (const HiddenTrial& one : try_sizes(record, method)) {
       all.insert(all.end(), one.validation_rmse.begin(), one.validation_rmse.end());
     }
     return all;
@@ -82,19 +83,24 @@ TEST(HiddenSearch, SameBitsForAnyNumberOfThreads) {
 
 TEST(HiddenSearch, LeavesOutSizesThatTheRowsCannotTrain) {
   const Dataset record = test::make_twin({.rows = 50});
-  IdentifyOptions options = searching();
-  options.network.epochs = 3;
+  Bp method = searching();
+  method.network.training.epochs = 3;
   // 50 rows less the 15 of 70 that are set aside are 39: seven units have 36 weights, eight 41.
-  EXPECT_EQ(try_sizes(record, options).size(), 5U);
+  EXPECT_EQ(try_sizes(record, method).size(), 5U);
   const Dataset few = test::make_twin({.rows = 15});
-  EXPECT_THROW((void)try_sizes(few, options), Error);
+  EXPECT_THROW((void)try_sizes(few, method), Error);
 }
 
-TEST(HiddenSearch, DoesNotTouchMethodsWithoutSuchANetwork) {
+TEST(HiddenSearch, IsMadeOnlyWhenItIsAskedFor) {
   const Dataset record = test::make_twin({.rows = 100});
-  SilentProgress progress;
-  const Identification result = run(record, find_method("ols"), searching(), {}, progress);
-  EXPECT_TRUE(result.diagnostics.hidden_search.empty());
+  Bp given = searching();
+  given.network.hidden = 3;
+  given.network.training.epochs = 3;
+  const Identification network = identify(record, given, quadratic_model()).identification;
+  EXPECT_EQ(network.network->hidden, 3U);
+  EXPECT_TRUE(std::get<NetworkDetails>(network.details).hidden_search.empty());
+  const Identification ols = identify(record, Ols{}, quadratic_model()).identification;
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(ols.details));
 }
 
 }  // namespace

@@ -93,8 +93,7 @@ std::string loss_message(const Dataset& data, const TermList& terms, const Ident
       fmt::format("{}: the inputs cannot identify {} of the {} terms asked for:", data.source,
                   found.lost.size(), terms.size());
   for (const auto& lost : found.lost) message += fmt::format("\n  {}: {}", name(lost.term), lost.reason);
-  return message +
-         "\nfit without them (--on-rank-loss drop), ask for fewer terms (--terms), or test in more mounts";
+  return message + "\nFit without them, ask for fewer terms, or test in more mounts.";
 }
 
 void require_rows(const Dataset& data, const TermList& terms) {
@@ -102,7 +101,8 @@ void require_rows(const Dataset& data, const TermList& terms) {
   if (data.rows() >= needed) return;
   throw bad_data({.file = data.source, .row = 0, .column = {}}, fmt::format("{} rows to fit", data.rows()),
                  fmt::format("at least {}, one more than the {} terms asked for ({})", needed, terms.size(),
-                             join_names(terms)));
+                             join_names(terms)),
+                 {{"terms", ""}});
 }
 
 // Beyond these, squares and cubes leave the range of double precision and take standard errors with them.
@@ -204,7 +204,9 @@ Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy
   require_varying_output(sums);
   Identifiability found = analyse_identifiability(sums, sums.terms());
   const bool refused = policy == RankLossPolicy::refuse ? !found.lost.empty() : found.identified.empty();
-  if (refused) throw refusal(loss_message(sums.data(), sums.terms(), found));
+  if (refused) {
+    throw refusal(loss_message(sums.data(), sums.terms(), found), {{"on-rank-loss", "drop"}, {"terms", ""}});
+  }
   return found;
 }
 

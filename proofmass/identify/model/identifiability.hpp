@@ -8,6 +8,7 @@
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
+#include "proofmass/identify/options/identify_options.hpp"
 
 namespace proofmass {
 
@@ -32,8 +33,6 @@ struct Identifiability {
 
 // The same without another look at the rows, for some of the terms summed.
 [[nodiscard]] Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms);
-
-enum class RankLossPolicy { refuse, drop };
 
 // The terms to fit. Throws a bad-data Error when the record has fewer rows than terms + 1 (saying how many
 // are needed) or a constant output; a refusal that names every lost term and its reason when some are lost

@@ -106,7 +106,7 @@ TEST(RequireIdentifiable, RefusesNamingTermsReasonsAndRemedy) {
   const TermList terms = parse_terms("quadratic");
   const std::string message = error_of(record, terms, RankLossPolicy::refuse, ErrorKind::refused);
   for (const char* part :
-       {"4 of the 10", "Ko: ", "Koo: ", "Kio: ", "Kop: ", "no column Ao", "--on-rank-loss drop"}) {
+       {"4 of the 10", "Ko: ", "Koo: ", "Kio: ", "Kop: ", "no column Ao", "Fit without them"}) {
     EXPECT_THAT(message, HasSubstr(part));
   }
   EXPECT_EQ(require_identifiable(record, terms, RankLossPolicy::drop).lost.size(), 4U);

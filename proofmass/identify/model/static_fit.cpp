@@ -21,38 +21,40 @@ constexpr double kConditionLimit = 1e8;
 // text.
 constexpr double kRoundingLimit = 1e5;
 
-void add_loss_notes(const Identifiability& found, std::vector<std::string>& notes) {
+void add_loss_findings(const Identifiability& found, std::vector<Finding>& findings) {
   for (const auto& lost : found.lost) {
-    std::string note = fmt::format("{} is not identified: {}", name(lost.term), lost.reason);
+    std::string reason = lost.reason;
     if (!lost.confounded_with.empty()) {
-      note +=
+      reason +=
           fmt::format("; whatever it contributes is in the value of {}", join_names(lost.confounded_with));
     }
-    notes.push_back(std::move(note));
+    findings.push_back({.code = Code::term_not_identified,
+                        .terms = {lost.term},
+                        .figures = {{"reason", std::move(reason)}}});
   }
 }
 
-void add_condition_notes(const Identification& result, std::vector<std::string>& notes) {
+void add_condition_findings(const Identification& result, std::vector<Finding>& findings) {
+  Finding collinear{.code = Code::inputs_collinear};
   std::string inflated;
   for (const Coefficient& c : result.coefficients) {
     if (!c.vif || *c.vif <= kInflationLimit) continue;
+    collinear.terms.push_back(c.term);
     inflated += fmt::format("{}{} {:.3g}", inflated.empty() ? "" : ", ", name(c.term), *c.vif);
   }
   if (!inflated.empty()) {
-    notes.push_back(fmt::format("the inputs are collinear: variance inflation above {:g} ({})",
-                                kInflationLimit, inflated));
+    collinear.figures = {{"limit", kInflationLimit}, {"inflated", inflated}};
+    findings.push_back(std::move(collinear));
   }
   const double condition = result.diagnostics.condition_scaled.value_or(1.0);
   if (condition > kRoundingLimit) {
-    notes.push_back(fmt::format(
-        "only {:.0e} of the columns' size tells some terms apart: where the record's inputs are rounded as "
-        "coarsely as that, rounding is all that separates them, and their values mean nothing",
-        1.0 / condition));
+    findings.push_back({.code = Code::terms_apart_by_rounding,
+                        .severity = Severity::warning,
+                        .figures = {{"separation", 1.0 / condition}}});
   }
   if (condition > kConditionLimit) {
-    notes.push_back(
-        fmt::format("condition number {:.1e} with scaled columns: rounding costs about {:.0f} of 16 digits",
-                    condition, std::log10(condition)));
+    findings.push_back({.code = Code::rounding_costs_digits,
+                        .figures = {{"condition", condition}, {"digits", std::log10(condition)}}});
   }
 }
 
@@ -98,6 +100,11 @@ void require_finite(const StaticFit& fit) {
 
 }  // namespace
 
+void note_unused_sigma(Identification& result, const Dataset& training) {
+  if (training.output_sigma.empty()) return;
+  result.findings.push_back({.code = Code::sigma_output_unused, .figures = {{"method", result.method}}});
+}
+
 std::string model_name(const TermList& terms) {
   for (const char* preset : {"linear", "quadratic", "paper", "full"}) {
     if (terms == parse_terms(preset)) return preset;
@@ -115,6 +122,10 @@ Identification make_identification(std::string_view method, const Dataset& train
   result.model = model_name(options.terms);
   result.seed = options.seed;
   result.output_unit = training.output_unit;
+  for (const Axis axis : training.axes()) {
+    const auto [low, high] = std::minmax_element(training.along(axis).begin(), training.along(axis).end());
+    result.input_range.push_back({axis, {.low = *low, .high = *high}});
+  }
   std::size_t next = 0;
   for (const Term term : options.terms) {
     const bool identified = next < found.identified.size() && found.identified[next] == term;
@@ -127,8 +138,8 @@ Identification make_identification(std::string_view method, const Dataset& train
                            fit.covariance.data() + fit.covariance.rows() * fit.covariance.rows());
   result.diagnostics.condition_raw = found.condition_raw;
   result.diagnostics.condition_scaled = found.condition_scaled;
-  add_loss_notes(found, result.diagnostics.notes);
-  add_condition_notes(result, result.diagnostics.notes);
+  add_loss_findings(found, result.findings);
+  add_condition_findings(result, result.findings);
   return result;
 }
 

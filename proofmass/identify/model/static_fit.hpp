@@ -9,7 +9,7 @@
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/identification.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/options/identify_options.hpp"
 #include "proofmass/numeric/matrix.hpp"
 
 namespace proofmass {
@@ -25,7 +25,7 @@ struct StaticFit {
 [[nodiscard]] std::string model_name(const TermList& terms);
 
 // An Identification with method, model, seed, unit, one coefficient a term asked for (lost ones marked, with
-// their reason), covariance, standard errors, condition numbers, and notes on lost and on badly determined
+// their reason), covariance, standard errors, condition numbers, and findings on lost and on badly determined
 // terms. Residual figures, network, ending and history are left to the method. Throws std::invalid_argument
 // when the sizes disagree.
 [[nodiscard]] Identification make_identification(std::string_view method, const Dataset& training,
@@ -36,5 +36,8 @@ struct StaticFit {
 // 1 - (RSS / dof) / (TSS / (n - 1)), TSS about the mean. `parameters` counts what the fit was free to choose.
 void add_residual_figures(Diagnostics& diagnostics, const Dataset& training, double rss,
                           std::size_t parameters);
+
+// Says that the method weighs all rows alike where the record has a column sigma_E.
+void note_unused_sigma(Identification& result, const Dataset& training);
 
 }  // namespace proofmass

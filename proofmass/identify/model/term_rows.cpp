@@ -133,7 +133,7 @@ std::vector<double> static_outputs(const StaticModel& model, const Dataset& inpu
   const TermRows rows(inputs, model.terms, {});
   const std::vector<double>& coefficients = model.coefficients;
   std::vector<double> outputs(inputs.rows(), 0.0);
-  for_each_row_share(rows.rows(), [&](std::size_t /*share*/, std::size_t first, std::size_t last) {
+  for_each_row_chunk(rows.rows(), [&](std::size_t /*chunk*/, std::size_t first, std::size_t last) {
     RowBlock block(coefficients.size() + 1);
     for (std::size_t row = first; row < last; row += RowBlock::kRows) {
       const std::size_t count = std::min(RowBlock::kRows, last - row);

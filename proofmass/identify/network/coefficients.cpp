@@ -18,7 +18,7 @@ namespace proofmass {
 namespace {
 
 constexpr std::size_t kBlockRows = 512;
-// Directions of the tangent space weaker than this share of the strongest (of unit-length columns) are
+// Directions of the tangent space weaker than this fraction of the strongest (of unit-length columns) are
 // rounding, not freedom of the network.
 constexpr double kTangentTolerance = 1e-10;
 

@@ -8,7 +8,7 @@
 
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/network/scaling.hpp"
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
 #include "support/networks.hpp"
 #include "support/twin.hpp"
@@ -122,8 +122,7 @@ TEST(Projection, StandardErrorsAreTheScatterOverRepeats) {
   TrainedNetwork network = learn_scaling(record);
   network.hidden = 4;
   const PerceptronShape shape{3, 4};
-  NetworkOptions options;
-  options.hidden = 4;
+  const TrainingOptions options;
   const auto trained = [&](std::vector<double> from, std::size_t epochs) {
     const Samples samples = scale_rows(network, record);
     const NetworkTrainer trainer(shape, samples, nullptr, options);

@@ -44,19 +44,18 @@ struct Search {
   std::size_t evaluations = 0;  // of the swarms' fitness
 };
 
-Search search(const Dataset& training, const TermList& terms, double rss, const IdentifyOptions& options,
-              Progress& progress) {
+Search search(const Hybrid& method, const Dataset& training, const TermList& terms, double rss,
+              std::uint64_t seed, Progress& progress) {
   Search found;
   found.criterion = {information_criterion(rss, terms.size(), training.rows())};
   double least = found.criterion.front();
   std::size_t failures = 0;
-  for (std::size_t hidden = 1; hidden <= options.hybrid.most_hidden && failures < options.hybrid.patience;
-       ++hidden) {
+  for (std::size_t hidden = 1; hidden <= method.most_hidden && failures < method.patience; ++hidden) {
     const std::size_t parameters = terms.size() + hidden * (training.axes().size() + 2);
     // A residual of rounding alone needs no network, and few rows afford none.
     if (training.rows() <= 2 * parameters || is_rounding(rss, training)) break;
-    HybridFit fit = fit_hybrid(training, terms, hidden, options, progress);
-    progress.update("hidden units", hidden, options.hybrid.most_hidden);
+    HybridFit fit = fit_hybrid(method, training, terms, hidden, seed, progress);
+    progress.update("hidden units", hidden, method.most_hidden);
     found.epochs += fit.epochs;
     found.evaluations += fit.evaluations;
     found.criterion.push_back(information_criterion(fit.rss, fit.parameters, training.rows()));
@@ -73,11 +72,11 @@ Search search(const Dataset& training, const TermList& terms, double rss, const 
 
 // The criterion takes noise to be normal: it would have a network follow outliers. So a network stays only
 // when it also predicts rows that it has not seen better than the terms alone.
-void cross_validate(Search& found, const Dataset& training, const TermList& terms,
-                    const IdentifyOptions& options, Progress& progress) {
+void cross_validate(Search& found, const Hybrid& method, const Dataset& training, const TermList& terms,
+                    std::uint64_t seed, Progress& progress) {
   if (!found.best) return;
   found.chosen = found.best->network.hidden;
-  found.validation = validate_hybrid(training, terms, found.chosen, options, progress);
+  found.validation = validate_hybrid(method, training, terms, found.chosen, seed, progress);
   found.epochs += found.validation.epochs;
   found.evaluations += found.validation.evaluations;
   if (!found.validation.favours_network()) found.best.reset();
@@ -107,25 +106,21 @@ void add_network(Identification& result, Search& found, const Dataset& training)
   result.history.push_back({"training_rmse", std::move(fit.curve)});
   result.history.push_back({"swarm_best", std::move(fit.swarm)});
   result.network = std::move(fit.network);
-  result.diagnostics.notes.emplace_back(
-      "the sensor has structure that the terms asked for lack: a network beside them predicts it; the "
-      "coefficients "
-      "describe the whole function's least-squares projection onto the terms, not its course between the "
-      "rows");
+  result.findings.push_back({.code = Code::structure_beyond_terms, .severity = Severity::warning});
 }
 
 }  // namespace
 
-Identification identify_hybrid(const Dataset& unordered, const Dataset& /*validation*/,
-                               const IdentifyOptions& options, Progress& progress) {
+Identification fit(const Hybrid& method, const Dataset& unordered, const IdentifyOptions& options,
+                   Progress& progress) {
   if (std::find(options.terms.begin(), options.terms.end(), Term::K0) == options.terms.end()) {
     throw usage_error("hybrid needs K0 among the terms: its network has a constant of its own");
   }
   const Identifiability terms = require_identifiable(unordered, options.terms, options.on_rank_loss);
   const Dataset training = in_canonical_order(unordered);
   LeastSquaresFit solution = solve_least_squares(design_matrix(training, terms.identified), training.output);
-  Search found = search(training, terms.identified, solution.rss, options, progress);
-  cross_validate(found, training, terms.identified, options, progress);
+  Search found = search(method, training, terms.identified, solution.rss, options.seed, progress);
+  cross_validate(found, method, training, terms.identified, options.seed, progress);
   const double rss = found.best ? found.best->rss : solution.rss;
   const std::size_t parameters = found.best ? found.best->parameters : terms.identified.size();
 
@@ -140,16 +135,15 @@ Identification identify_hybrid(const Dataset& unordered, const Dataset& /*valida
                       .vif = std::move(solution.vif)};
   Identification result = make_identification("hybrid", training, options, terms, fit);
   add_residual_figures(result.diagnostics, training, rss, parameters);
-  result.diagnostics.training_epochs = found.epochs;
-  result.diagnostics.swarm_evaluations = found.evaluations;
+  NetworkDetails details;
+  details.training_epochs = found.epochs;
+  details.swarm_evaluations = found.evaluations;
+  result.details = std::move(details);
   const std::size_t iterations = found.epochs + found.evaluations;
   if (iterations > 0) result.diagnostics.iterations = iterations;
   result.ending = {EndingStatus::converged, describe(found)};
   result.history.push_back({"information_criterion", found.criterion});
-  result.diagnostics.notes.emplace_back(
-      "standard errors assume exact inputs and white noise of one variance, and ignore that the number of "
-      "hidden units was "
-      "chosen on the same rows");
+  result.findings.push_back({.code = Code::hidden_choice_ignored});
   if (found.best) add_network(result, found, training);
   return result;
 }

@@ -10,11 +10,10 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/network/scaling.hpp"
 #include "proofmass/identify/network/separable_pool_internal.hpp"
-#include "proofmass/identify/network/starts.hpp"
+#include "proofmass/identify/network/training/refinement.hpp"
+#include "proofmass/identify/network/training/starts.hpp"
 #include "proofmass/numeric/network/variable_projection.hpp"
-#include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
 #include "proofmass/numeric/optimise/particle_swarm.hpp"
-#include "proofmass/numeric/parallel.hpp"
 #include "proofmass/numeric/random.hpp"
 
 namespace proofmass {
@@ -49,93 +48,74 @@ struct HybridProblem {
   }
 };
 
-SwarmResult seek(const HybridProblem& problem, const IdentifyOptions& options, const Progress& progress) {
+SwarmResult seek(const HybridProblem& problem, const Hybrid& method, std::uint64_t seed,
+                 const Progress& progress) {
   std::vector<std::vector<double>> initial;
-  for (std::size_t i = 0; i < options.hybrid.particles; ++i) {
-    initial.push_back(random_start(problem.shape, Trainer::varpro, options.seed, i));
+  for (std::size_t i = 0; i < method.particles; ++i) {
+    initial.push_back(random_start(problem.shape, Trainer::varpro, seed, i));
   }
   SwarmSettings settings;
-  settings.iterations = options.hybrid.iterations;
+  settings.iterations = method.iterations;
   const SeparablePool pool(problem.shape, problem.samples, problem.fixed);
   const auto objective = [&pool, &progress](std::span<const double> x) {
     return progress.cancelled() ? std::numeric_limits<double>::infinity() : pool.rmse(x);
   };
-  return minimise_by_swarm(objective, std::move(initial), settings, options.seed,
+  return minimise_by_swarm(objective, std::move(initial), settings, seed,
                            [&progress](std::size_t, double) { return !progress.cancelled(); });
 }
 
-// The training of one particle's best position.
-struct Candidate {
-  LevenbergMarquardtResult result;
-  std::vector<double> output_weights;
-};
-
-Candidate train(const HybridProblem& problem, const std::vector<double>& start,
-                const IdentifyOptions& options, const Progress& progress) {
+HybridFit assemble(const HybridProblem& problem, const Refinement& refinement) {
+  // The trainer's figures count rounding as error: the output layer is solved once more for the result.
   SeparablePerceptron separable(problem.shape, problem.samples, problem.fixed);
-  const LevenbergMarquardtOptions settings{.iterations = options.hybrid.epochs,
-                                           .geodesic_acceleration = true,
-                                           .mu = 0.1,
-                                           .mu_max = 1e16,
-                                           .stall_window = 30,
-                                           .stall_reduction = 1e-5};
-  Candidate candidate;
-  candidate.result =
-      minimise(separable, start, settings,
-               [&progress](std::size_t, std::span<const double>, double) { return !progress.cancelled(); });
-  candidate.result.sum_of_squares = separable.evaluate(candidate.result.point);
-  candidate.output_weights = separable.output_weights();
-  return candidate;
-}
+  const auto hidden_end =
+      refinement.best.weights.begin() + static_cast<std::ptrdiff_t>(problem.shape.hidden_weights());
+  std::vector<double> weights(refinement.best.weights.begin(), hidden_end);
+  const double sum_of_squares = separable.evaluate(weights);
+  const std::vector<double>& output_weights = separable.output_weights();
+  const auto network_end =
+      output_weights.begin() + static_cast<std::ptrdiff_t>(problem.shape.output_weights());
+  weights.insert(weights.end(), output_weights.begin(), network_end);
 
-HybridFit assemble(const HybridProblem& problem, const Candidate& best) {
   HybridFit fit;
   fit.network = problem.scaling;
   fit.network.hidden = problem.shape.hidden;
-  const double half = output_half_range(problem.scaling);
-  const auto network_end =
-      best.output_weights.begin() + static_cast<std::ptrdiff_t>(problem.shape.output_weights());
-  std::vector<double> weights = best.result.point;
-  weights.insert(weights.end(), best.output_weights.begin(), network_end);
   fit.network.weights = canonical_weights(problem.shape, weights);
   fit.network.skip.terms = problem.terms;
+  const double half = output_half_range(problem.scaling);
   for (std::size_t c = 0; c < problem.terms.size(); ++c) {
     fit.network.skip.coefficients.push_back(half * network_end[static_cast<std::ptrdiff_t>(c)] /
                                             problem.scales[c]);
   }
-  fit.rss = best.result.sum_of_squares * half * half;
+  fit.rss = sum_of_squares * half * half;
   fit.parameters = problem.shape.parameters() + problem.terms.size();
-  for (const double sum : best.result.history) {
-    fit.curve.push_back(root_mean(sum, problem.samples));
-  }
+  fit.curve = refinement.best.training_curve;
+  fit.epochs = refinement.epochs;
   return fit;
 }
 
 }  // namespace
 
-HybridFit fit_hybrid(const Dataset& training, const TermList& terms, std::size_t hidden,
-                     const IdentifyOptions& options, Progress& progress) {
+HybridFit fit_hybrid(const Hybrid& method, const Dataset& training, const TermList& terms, std::size_t hidden,
+                     std::uint64_t seed, Progress& progress) {
   const HybridProblem problem(training, terms, hidden);
-  const SwarmResult swarm = seek(problem, options, progress);
+  const SwarmResult swarm = seek(problem, method, seed, progress);
+  if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
   std::vector<std::size_t> order(swarm.positions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&swarm](std::size_t a, std::size_t b) { return swarm.values[a] < swarm.values[b]; });
-  order.resize(std::min(order.size(), options.hybrid.refined));
+  order.resize(std::min(order.size(), method.refined));
 
-  std::vector<Candidate> candidates(order.size());
-  parallel_for(order.size(), [&](std::size_t i) {
-    if (!progress.cancelled()) candidates[i] = train(problem, swarm.positions[order[i]], options, progress);
-  });
-  if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
-  const auto best =
-      std::min_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-        return a.result.sum_of_squares < b.result.sum_of_squares;
-      });
-  HybridFit fit = assemble(problem, *best);
+  const NetworkTrainer trainer(problem.shape, problem.samples, problem.fixed, method.training);
+  std::vector<TrainingState> candidates;
+  for (const std::size_t i : order) {
+    candidates.push_back(trainer.start(swarm.positions[i], RandomStream(seed, stream_id("kick", i))));
+  }
+  const Refinement refinement =
+      refine(trainer, std::move(candidates), {.epochs = method.training.epochs}, progress);
+  HybridFit fit = assemble(problem, refinement);
   fit.swarm = swarm.history;
   fit.evaluations = swarm.evaluations;
-  for (const Candidate& candidate : candidates) fit.epochs += candidate.result.iterations;
   return fit;
 }
 

@@ -8,7 +8,7 @@
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/progress.hpp"
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/network/hybrid.hpp"
 
 namespace proofmass {
 
@@ -24,7 +24,7 @@ struct HybridFit {
 };
 
 // The best fit with `hidden` >= 1 tanh units beside the terms (K0 among them, played by the network's bias).
-[[nodiscard]] HybridFit fit_hybrid(const Dataset& training, const TermList& terms, std::size_t hidden,
-                                   const IdentifyOptions& options, Progress& progress);
+[[nodiscard]] HybridFit fit_hybrid(const Hybrid& method, const Dataset& training, const TermList& terms,
+                                   std::size_t hidden, std::uint64_t seed, Progress& progress);
 
 }  // namespace proofmass

@@ -30,12 +30,11 @@ IdentifyOptions full_model(std::uint64_t seed) {
   return options;
 }
 
-// Root mean square of the noise that was simulated in the test rows.
-double test_noise(const Dataset& record, std::uint64_t seed) {
+// Root mean square of the noise that was simulated in these rows.
+double noise_in(const std::vector<std::size_t>& rows, const Dataset& record, std::uint64_t seed) {
   SimulationPlan quiet = read_simulation(std::string(PROOFMASS_SOURCE_DIR) + "/data/twin-unmodelled.toml");
   quiet.noise = {};
   const Dataset clean = simulate(quiet, quiet.rows, seed);
-  const std::vector<std::size_t> rows = split_rows(record.rows(), {}, seed).test;
   double sum = 0.0;
   for (const std::size_t row : rows) sum += std::pow(record.output[row] - clean.output[row], 2);
   return std::sqrt(sum / static_cast<double>(rows.size()));
@@ -45,8 +44,8 @@ TEST(Hybrid, IsLeastSquaresWhereTheModelIsRight) {
   SilentProgress progress;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Dataset record = twin("twin-10ug.toml", seed);
-    const Identification hybrid = identify_hybrid(record, {}, full_model(seed), progress);
-    const Identification ols = identify_ols(record, {}, full_model(seed), progress);
+    const Identification hybrid = fit(Hybrid{}, record, full_model(seed), progress);
+    const Identification ols = fit(Ols{}, record, full_model(seed), progress);
     EXPECT_FALSE(hybrid.network.has_value()) << "seed " << seed << ": " << hybrid.ending.reason;
     for (std::size_t k = 0; k < ols.coefficients.size(); ++k) {
       EXPECT_NEAR(hybrid.coefficients[k].value, ols.coefficients[k].value,
@@ -56,14 +55,14 @@ TEST(Hybrid, IsLeastSquaresWhereTheModelIsRight) {
 }
 
 TEST(Hybrid, PredictsUnmodelledStructureToTheNoise) {
-  SilentProgress progress;
   constexpr std::uint64_t seeds = 6;
   double product = 1.0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Dataset record = twin("twin-unmodelled.toml", seed);
-    const double noise = test_noise(record, seed);
-    const Identification hybrid = run(record, find_method("hybrid"), full_model(seed), {}, progress);
-    const Identification ols = run(record, find_method("ols"), full_model(seed), {}, progress);
+    const auto run = identify(record, Hybrid{}, full_model(seed));
+    const Identification& hybrid = run.identification;
+    const Identification ols = identify(record, Ols{}, full_model(seed)).identification;
+    const double noise = noise_in(run.split.test, record, seed);
     EXPECT_LT(hybrid.test->rmse / noise, 1.05) << "seed " << seed;
     EXPECT_GT(ols.test->rmse / noise, 1.1) << "seed " << seed;
     product *= hybrid.test->rmse / noise;
@@ -74,11 +73,10 @@ TEST(Hybrid, PredictsUnmodelledStructureToTheNoise) {
 }
 
 TEST(Hybrid, DoesNotFollowOutliers) {
-  SilentProgress progress;
   std::size_t dropped = 0;  // of the networks that the criterion asks for
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const Identification hybrid =
-        run(twin("twin-heavy-tails.toml", seed), find_method("hybrid"), full_model(seed), {}, progress);
+        identify(twin("twin-heavy-tails.toml", seed), Hybrid{}, full_model(seed)).identification;
     EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
     if (hybrid.ending.reason.find("dropped by cross-validation") != std::string::npos) ++dropped;
   }
@@ -95,17 +93,14 @@ TEST(Hybrid, DoesNotTakeErrorsOfRepeatedSetUpsForStructure) {
   Dataset record = points.select(rows);
   RandomStream random(1);
   for (double& output : record.output) output += 1e-7 * random.normal();
-  IdentifyOptions options;
-  options.terms = parse_terms("paper");
-  const Identification hybrid = identify_hybrid(record, {}, options, progress);
+  const Identification hybrid = fit(Hybrid{}, record, {.terms = parse_terms("paper")}, progress);
   EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
 }
 
 TEST(Hybrid, NeedsTheBias) {
   SilentProgress progress;
-  IdentifyOptions options;
-  options.terms = parse_terms("Ki,Kii");
-  EXPECT_THROW((void)identify_hybrid(twin("twin-10ug.toml", 1), {}, options, progress), Error);
+  const IdentifyOptions options{.terms = parse_terms("Ki,Kii")};
+  EXPECT_THROW((void)fit(Hybrid{}, twin("twin-10ug.toml", 1), options, progress), Error);
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ std::vector<std::size_t> number_set_ups(const Dataset& training) {
   return set_ups;
 }
 
-Fold leave_out(const Dataset& training, const std::vector<std::size_t>& set_ups, std::size_t fold,
-               const TermList& terms, std::size_t hidden, const IdentifyOptions& options,
+Fold leave_out(const Hybrid& method, const Dataset& training, const std::vector<std::size_t>& set_ups,
+               std::size_t fold, const TermList& terms, std::size_t hidden, std::uint64_t seed,
                Progress& progress) {
   std::vector<std::size_t> kept, left;
   for (std::size_t r = 0; r < training.rows(); ++r) {
@@ -53,7 +53,7 @@ Fold leave_out(const Dataset& training, const std::vector<std::size_t>& set_ups,
   Fold errors;
   if (analyse_identifiability(rows, terms).identified.size() < terms.size()) return errors;
   const StaticModel model{terms, solve_least_squares(design_matrix(rows, terms), rows.output).coefficients};
-  const HybridFit fit = fit_hybrid(rows, terms, hidden, options, progress);
+  const HybridFit fit = fit_hybrid(method, rows, terms, hidden, seed, progress);
   const std::vector<double> predicted = network_outputs(fit.network, out);
   errors.rows = std::move(left);
   errors.epochs = fit.epochs;
@@ -67,13 +67,13 @@ Fold leave_out(const Dataset& training, const std::vector<std::size_t>& set_ups,
 
 }  // namespace
 
-HybridValidation validate_hybrid(const Dataset& training, const TermList& terms, std::size_t hidden,
-                                 const IdentifyOptions& options, Progress& progress) {
+HybridValidation validate_hybrid(const Hybrid& method, const Dataset& training, const TermList& terms,
+                                 std::size_t hidden, std::uint64_t seed, Progress& progress) {
   const std::vector<std::size_t> set_ups = number_set_ups(training);
   std::array<Fold, kFolds> folds;
   StepProgress steps(progress, "cross-validation", kFolds);
   parallel_for(kFolds, [&](std::size_t k) {
-    folds[k] = leave_out(training, set_ups, k, terms, hidden, options, steps);
+    folds[k] = leave_out(method, training, set_ups, k, terms, hidden, seed, steps);
     steps.step();
   });
   HybridValidation result;

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/progress.hpp"
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/network/hybrid.hpp"
 
 namespace proofmass {
 
@@ -24,8 +25,8 @@ struct HybridValidation {
 
 // Fivefold cross-validation (Stone 1974) of `hidden` units against none; row r of the training rows is left
 // out in fold r mod 5. Folds whose rows no longer tell the terms apart are passed over.
-[[nodiscard]] HybridValidation validate_hybrid(const Dataset& training, const TermList& terms,
-                                               std::size_t hidden, const IdentifyOptions& options,
+[[nodiscard]] HybridValidation validate_hybrid(const Hybrid& method, const Dataset& training,
+                                               const TermList& terms, std::size_t hidden, std::uint64_t seed,
                                                Progress& progress);
 
 }  // namespace proofmass

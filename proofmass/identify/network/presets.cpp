@@ -2,25 +2,37 @@
 #include "proofmass/identify/network/presets.hpp"
 
 namespace proofmass {
+namespace {
 
-void apply_paper_preset(IdentifyOptions& options) {
-  options.network.hidden = 7;
-  options.network.trainer = Trainer::lm;
-  options.network.epochs = 1000;
-  SwarmOptions& swarm = options.swarm;
-  swarm.particles = 50;
-  swarm.iterations = 50;
-  swarm.inertia = 0.6;
-  swarm.cognitive = 1.5;
-  swarm.social = 1.5;
-  swarm.topology = SwarmTopology::global;
+void apply_paper_preset(NetworkOptions& network) {
+  network.hidden = 7;
+  network.training.trainer = Trainer::lm;
+  network.training.epochs = 1000;
+  network.early_stopping = true;
+}
+
+}  // namespace
+
+void apply_paper_preset(PsoBp& method) {
+  apply_paper_preset(method.network);
+  method.particles = 50;
+  method.iterations = 50;
+  method.inertia = 0.6;
+  method.cognitive = 1.5;
+  method.social = 1.5;
+  method.topology = SwarmTopology::global;
   // The paper says neither. Synchronous, so that evaluations run in parallel: with trained fitness the
   // swarm's own convergence hardly matters. The limit keeps tanh out of saturation.
-  swarm.update = SwarmUpdate::synchronous;
-  swarm.velocity_limit = 0.5;
-  swarm.fitness = SwarmFitness::trained;
-  swarm.fitness_epochs = 20;
-  swarm.refined = 1;
+  method.update = SwarmUpdate::synchronous;
+  method.velocity_limit = 0.5;
+  method.fitness = SwarmFitness::trained;
+  method.fitness_epochs = 20;
+  method.refined = 1;
+}
+
+void apply_paper_preset(Bp& method) {
+  apply_paper_preset(method.network);
+  method.refined = 1;
 }
 
 }  // namespace proofmass

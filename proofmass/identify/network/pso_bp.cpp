@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/network/refinement.hpp"
 #include "proofmass/identify/network/result.hpp"
 #include "proofmass/identify/network/scaling.hpp"
-#include "proofmass/identify/network/starts.hpp"
 #include "proofmass/identify/network/swarm_fitness.hpp"
+#include "proofmass/identify/network/training/refinement.hpp"
+#include "proofmass/identify/network/training/starts.hpp"
 #include "proofmass/numeric/optimise/particle_swarm.hpp"
 #include "proofmass/numeric/random.hpp"
 
@@ -24,48 +24,49 @@ namespace {
 // Particles differ when some weight of their canonical forms differs by more than this.
 constexpr double kDifferent = 0.1;
 
-std::vector<std::vector<double>> initial_swarm(const NetworkTask& task, const IdentifyOptions& options) {
-  const bool separable = options.swarm.fitness == SwarmFitness::separable;
+std::vector<std::vector<double>> initial_swarm(const NetworkTask& task, const PsoBp& method,
+                                               std::uint64_t seed) {
+  const bool separable = method.fitness == SwarmFitness::separable;
   const std::size_t length = separable ? task.shape.hidden_weights() : task.shape.parameters();
-  std::vector<std::vector<double>> positions = options.swarm.initial;
+  std::vector<std::vector<double>> positions = method.initial;
   for (const auto& position : positions) {
     if (position.size() != length) {
       throw usage_error(
           fmt::format("an initial particle has {} weights, expected {}", position.size(), length));
     }
   }
-  if (positions.size() > options.swarm.particles) {
-    throw usage_error(fmt::format("{} initial positions for a swarm of {} particles", positions.size(),
-                                  options.swarm.particles));
+  if (positions.size() > method.particles) {
+    throw usage_error(
+        fmt::format("{} initial positions for a swarm of {} particles", positions.size(), method.particles));
   }
-  positions.resize(options.swarm.particles);
-  for (std::size_t i = options.swarm.initial.size(); i < positions.size(); ++i) {
-    positions[i] = random_start(task.shape, separable ? Trainer::varpro : Trainer::lm, options.seed, i);
+  positions.resize(method.particles);
+  for (std::size_t i = method.initial.size(); i < positions.size(); ++i) {
+    positions[i] = random_start(task.shape, separable ? Trainer::varpro : Trainer::lm, seed, i);
   }
   return positions;
 }
 
-SwarmSettings settings_of(const SwarmOptions& options, const std::vector<std::vector<double>>& initial) {
+SwarmSettings settings_of(const PsoBp& method, const std::vector<std::vector<double>>& initial) {
   double reach = 0.0;
   for (const auto& position : initial) {
     for (const double x : position) reach = std::max(reach, std::abs(x));
   }
-  return {.iterations = options.iterations,
-          .inertia = options.inertia,
-          .cognitive = options.cognitive,
-          .social = options.social,
-          .update = options.update,
-          .topology = options.topology,
+  return {.iterations = method.iterations,
+          .inertia = method.inertia,
+          .cognitive = method.cognitive,
+          .social = method.social,
+          .update = method.update,
+          .topology = method.topology,
           .lower = -reach,
           .upper = reach,
-          .velocity_limit = options.velocity_limit,
-          .stall_iterations = options.stall_iterations,
-          .target = options.target};
+          .velocity_limit = method.velocity_limit,
+          .stall_iterations = method.stall_iterations,
+          .target = method.target};
 }
 
 // The best particles, leaving out those that are one network in another guise.
 std::vector<TrainingState> diverse_particles(const NetworkTask& task, const NetworkTrainer& trainer,
-                                             const SwarmResult& swarm, const IdentifyOptions& options) {
+                                             const SwarmResult& swarm, std::size_t most, std::uint64_t seed) {
   std::vector<std::size_t> order(swarm.positions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -73,8 +74,8 @@ std::vector<TrainingState> diverse_particles(const NetworkTask& task, const Netw
   std::vector<TrainingState> chosen;
   std::vector<std::vector<double>> guises;
   for (const std::size_t i : order) {
-    if (chosen.size() == options.swarm.refined) break;
-    TrainingState state = trainer.start(swarm.positions[i], RandomStream(options.seed, stream_id("kick", i)));
+    if (chosen.size() == most) break;
+    TrainingState state = trainer.start(swarm.positions[i], RandomStream(seed, stream_id("kick", i)));
     std::vector<double> guise = canonical_weights(task.shape, state.weights);
     const auto same = [&](const std::vector<double>& other) {
       double difference = 0.0;
@@ -95,7 +96,7 @@ void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
     for (double& value : values) value *= scale;
     return values;
   };
-  result.diagnostics.swarm_evaluations = swarm.evaluations;
+  std::get<NetworkDetails>(result.details).swarm_evaluations = swarm.evaluations;
   result.history.push_back({"swarm_best", scaled(swarm.history)});
   result.history.push_back({"swarm_mean", scaled(swarm.mean_history)});
   result.ending.reason =
@@ -104,14 +105,14 @@ void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
 
 }  // namespace
 
-Identification identify_pso_bp(const Dataset& training, const Dataset& validation,
-                               const IdentifyOptions& options, Progress& progress) {
-  const NetworkTask task = prepare_network(training, validation, options);
+Identification fit(const PsoBp& method, const Dataset& training, const Dataset& validation,
+                   const IdentifyOptions& options, Progress& progress) {
+  const NetworkTask task = prepare_network(method.network, training, validation, options);
   const NetworkTrainer trainer(task.shape, task.samples, task.validation ? &*task.validation : nullptr,
-                               options.network);
-  const SwarmFitnessFunction fitness(task.shape, task.samples, options, progress);
-  std::vector<std::vector<double>> initial = initial_swarm(task, options);
-  const SwarmSettings settings = settings_of(options.swarm, initial);
+                               method.network.training);
+  const SwarmFitnessFunction fitness(task.shape, task.samples, method, progress);
+  std::vector<std::vector<double>> initial = initial_swarm(task, method, options.seed);
+  const SwarmSettings settings = settings_of(method, initial);
   const auto observe = [&](std::size_t iteration, double) {
     progress.update("swarm", iteration, settings.iterations);
     return !progress.cancelled();
@@ -120,15 +121,17 @@ Identification identify_pso_bp(const Dataset& training, const Dataset& validatio
                                               std::move(initial), settings, options.seed, observe);
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
 
-  std::vector<TrainingState> particles = diverse_particles(task, trainer, swarm, options);
+  std::vector<TrainingState> particles =
+      diverse_particles(task, trainer, swarm, method.refined, options.seed);
   Refinement refinement =
       refine(trainer, std::move(particles),
-             {.epochs = options.network.epochs, .good_enough = task.good_enough()}, progress);
+             {.epochs = method.network.training.epochs, .good_enough = task.good_enough()}, progress);
   refinement.epochs += fitness.epochs();
-  Identification result = make_network_identification("pso-bp", task, options, refinement);
+  Identification result =
+      make_network_identification("pso-bp", task, method.network.extraction, options, refinement);
   add_swarm(result, swarm, output_half_range(task.network) / task.training.output_unit.to_canonical);
   // An evaluation that trains has been counted by its epochs.
-  if (options.swarm.fitness != SwarmFitness::trained) {
+  if (method.fitness != SwarmFitness::trained) {
     result.diagnostics.iterations = refinement.epochs + swarm.evaluations;
   }
   return result;

@@ -12,19 +12,15 @@ namespace {
 
 constexpr std::uint64_t kSeeds = 3;
 
-Identification identify(std::string_view method, const Dataset& record, std::uint64_t seed) {
-  IdentifyOptions options;
-  options.terms = parse_terms("full");
-  options.seed = seed;
-  SilentProgress progress;
-  return run(record, find_method(method), options, {}, progress);
+Identification identified(const Dataset& record, const Method& method, std::uint64_t seed) {
+  return identify(record, method, {.terms = parse_terms("full"), .seed = seed}).identification;
 }
 
 TEST(PsoBpOnTheTwin, ReachesTheFloorFromEverySeed) {
   const SimulationPlan plan = test::shipped_plan("twin");
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Dataset record = simulate(plan, plan.rows, seed);
-    EXPECT_LE(identify("pso-bp", record, seed).test->rmse, 1.05 * identify("ols", record, seed).test->rmse)
+    EXPECT_LE(identified(record, PsoBp{}, seed).test->rmse, 1.05 * identified(record, Ols{}, seed).test->rmse)
         << "seed " << seed;
   }
 }
@@ -36,7 +32,7 @@ TEST(PsoBpOnTheTwin, StatesStandardErrorsThatHold) {
   double squares = 0.0;
   double count = 0.0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    for (const Coefficient& c : identify("pso-bp", simulate(plan, plan.rows, seed), seed).coefficients) {
+    for (const Coefficient& c : identified(simulate(plan, plan.rows, seed), PsoBp{}, seed).coefficients) {
       squares += std::pow((c.value - truth.coefficient(c.term)) / *c.standard_error, 2);
       count += 1.0;
     }

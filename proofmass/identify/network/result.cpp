@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/model/ending_status.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
 #include "proofmass/identify/network/coefficients.hpp"
@@ -25,7 +25,7 @@ constexpr double kMisfit = 1.1;      // residual over least squares' beyond whic
 constexpr double kRounding = 1e-12;  // root mean square residual of the scaled output that is no noise
 constexpr double kSaturated = 0.99;  // |tanh| beyond this: the unit hardly answers its inputs
 
-double saturated_share(const NetworkTask& task, const std::vector<double>& weights) {
+double saturated_fraction(const NetworkTask& task, const std::vector<double>& weights) {
   ColumnBlock phi(task.shape.output_weights(), task.samples.padded_rows());
   hidden_activations(task.shape, weights, task.samples, phi);
   std::size_t saturated = 0;
@@ -49,15 +49,12 @@ void use_expansion(Identification& result, const std::vector<double>& expansion,
     }
   }
   result.covariance.clear();
-  result.diagnostics.notes.emplace_back(
-      "coefficients are the network's Taylor expansion at zero specific force: no standard errors, and "
-      "third-order "
-      "terms far less certain than by projection");
+  result.findings.push_back({.code = Code::coefficients_expanded});
 }
 
-// Names the terms for which expansion and projection differ by more than three standard errors: there the
-// network is not the polynomial that the coefficients describe.
-std::string disagreement(const Identification& result, const std::vector<double>& expansion,
+// The terms for which expansion and projection differ by more than three standard errors: there the network
+// is not the polynomial that the coefficients describe.
+TermList differing_terms(const Identification& result, const std::vector<double>& expansion,
                          const TermList& terms) {
   TermList differing;
   for (const Coefficient& coefficient : result.coefficients) {
@@ -67,50 +64,58 @@ std::string disagreement(const Identification& result, const std::vector<double>
         differing.push_back(terms[k]);
     }
   }
-  if (differing.empty()) return {};
-  return "Taylor expansion and projection differ by more than three standard errors in " +
-         join_names(differing);
+  return differing;
 }
 
-// What a residual beyond that of least squares means, or nothing when it is not beyond.
-std::string misfit(const NetworkTask& task, double residual_sd) {
-  const double floor = task.least_squares_rmse * output_half_range(task.network);
-  if (!(floor > 0.0 && residual_sd > kMisfit * floor)) return {};
-  const std::string how_much =
-      task.least_squares_rmse > kRounding
-          ? fmt::format("is {:.3g} times that of least squares with every separable term",
-                        residual_sd / floor)
-          : "is more than rounding, all that least squares with every separable term leaves";
-  return "the network's residual " + how_much +
-         ": misfit, not white noise, so the standard errors, intervals, t and p do not hold";
-}
-
-void add_coefficients(Identification& result, const NetworkTask& task, const IdentifyOptions& options,
-                      const ProjectedCoefficients& projected) {
-  const std::vector<double> expansion = expand_at_zero(*result.network, task.found.identified);
-  auto& notes = result.diagnostics.notes;
-  if (const std::string note = disagreement(result, expansion, task.found.identified); !note.empty()) {
-    notes.push_back(note);
+// Says what a residual beyond that of least squares means. Both residuals are compared by their degrees of
+// freedom: the root mean square over the rows alone falls with the number of parameters.
+void note_misfit(Identification& result, const NetworkTask& task, double residual_sd) {
+  const double floor = task.least_squares_sd * output_half_range(task.network);
+  if (!(floor > 0.0 && residual_sd > kMisfit * floor)) return;
+  if (task.least_squares_rmse > kRounding) {
+    result.findings.push_back({.code = Code::network_misfit,
+                               .severity = Severity::warning,
+                               .figures = {{"ratio", residual_sd / floor}}});
+  } else {
+    result.findings.push_back({.code = Code::network_above_rounding, .severity = Severity::warning});
   }
-  if (options.network.extraction == Extraction::taylor) {
-    use_expansion(result, expansion, task.found.identified);
+}
+
+void add_coefficients(Identification& result, const NetworkTask& task, Extraction extraction,
+                      const ProjectedCoefficients& projected) {
+  const TermList& terms = task.found.identified;
+  const std::vector<double> expansion = expand_at_zero(*result.network, terms);
+  if (TermList differing = differing_terms(result, expansion, terms); !differing.empty()) {
+    result.findings.push_back({.code = Code::expansion_differs, .terms = std::move(differing)});
+  }
+  if (extraction == Extraction::taylor) {
+    use_expansion(result, expansion, terms);
     return;
   }
-  notes.emplace_back(
-      "coefficients are the least-squares projection of the network onto the terms; their standard errors "
-      "(delta "
-      "method) assume exact inputs, white noise of one variance and a network trained to a minimum");
+  result.findings.push_back({.code = Code::coefficients_projected});
   const double residual_sd = result.diagnostics.residual_sd.value_or(0.0);
-  if (std::string note = misfit(task, residual_sd); !note.empty()) notes.push_back(std::move(note));
-  const double typical = residual_sd * std::sqrt(static_cast<double>(task.found.identified.size()) /
-                                                 static_cast<double>(task.training.rows()));
+  note_misfit(result, task, residual_sd);
+  const double typical =
+      residual_sd * std::sqrt(static_cast<double>(terms.size()) / static_cast<double>(task.training.rows()));
   if (projected.induced_deviation > typical) {
-    notes.push_back(
-        fmt::format("the network's own misfit moves the coefficients by {:.3g} {} rms over the rows, more "
-                    "than noise does ({:.3g}): "
-                    "the standard errors are too small by about that ratio",
-                    projected.induced_deviation, result.output_unit.canonical_symbol(), typical));
+    result.findings.push_back({.code = Code::network_moves_coefficients,
+                               .severity = Severity::warning,
+                               .figures = {{"induced", projected.induced_deviation},
+                                           {"typical", typical},
+                                           {"unit", result.output_unit.canonical_symbol()}}});
   }
+}
+
+// Variable projection perturbs and polishes a network that comes to rest; where it rests in the end, nothing
+// is left to gain.
+Ending ending_of_training(const TrainingState& best, std::size_t candidates) {
+  const std::string effort = fmt::format("{} epochs of the best of {} candidates", best.epochs, candidates);
+  const Termination& end = best.termination;
+  if (end.cause != Cause::stalled || !best.rests_at_minimum) {
+    return ending_of(end.cause, fmt::format("{} ({})", end.reason, effort));
+  }
+  return {.status = EndingStatus::converged,
+          .reason = fmt::format("nothing is left to gain: {} ({})", end.reason, effort)};
 }
 
 // Refuses what is no fit: errors beyond all measure, or a network as it started that explains nothing.
@@ -133,22 +138,32 @@ void require_fit(std::string_view method, const NetworkTask& task, const Trainin
                   method, reason, r2));
 }
 
-double least_squares_error(const Dataset& training, const TrainedNetwork& network) {
+// Of the scaled output, over the rows and over the degrees of freedom.
+struct LeastSquaresError {
+  double rmse = 0.0;
+  double sd = 0.0;
+};
+
+LeastSquaresError least_squares_error(const Dataset& training, const TrainedNetwork& network) {
   const TermSums sums(training, parse_terms("full"));
   const TermList terms = analyse_identifiability(sums, sums.terms()).identified;
-  if (terms.empty() || training.rows() < terms.size()) return 0.0;
+  if (terms.empty() || training.rows() < terms.size()) return {};
   const double rss = solve_normal_equations(sums.gram(terms), sums.rows(terms)).rss;
-  return std::sqrt(rss / static_cast<double>(training.rows())) / output_half_range(network);
+  const double half_range = output_half_range(network);
+  const std::size_t dof = training.rows() - terms.size();
+  return {.rmse = std::sqrt(rss / static_cast<double>(training.rows())) / half_range,
+          .sd = dof > 0 ? std::sqrt(rss / static_cast<double>(dof)) / half_range : 0.0};
 }
 
 }  // namespace
 
-NetworkTask prepare_network(const Dataset& training, const Dataset& validation,
+NetworkTask prepare_network(const NetworkOptions& asked, const Dataset& training, const Dataset& validation,
                             const IdentifyOptions& options) {
   Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
   Dataset ordered = in_canonical_order(training);
   TrainedNetwork network = learn_scaling(ordered);
-  network.hidden = options.network.hidden;
+  if (!asked.hidden) throw usage_error("hidden: a search has no end here; expected a number of hidden units");
+  network.hidden = *asked.hidden;
   const PerceptronShape shape{network.inputs.size(), network.hidden};
   if (ordered.rows() <= shape.parameters()) {
     throw bad_data({.file = training.source, .row = 0, .column = ""},
@@ -159,18 +174,20 @@ NetworkTask prepare_network(const Dataset& training, const Dataset& validation,
   Samples samples = scale_rows(network, ordered);
   std::optional<Samples> validation_samples;
   if (validation.rows() > 0) validation_samples = scale_rows(network, in_canonical_order(validation));
-  const double least_squares = least_squares_error(ordered, network);
+  const LeastSquaresError least_squares = least_squares_error(ordered, network);
   return {.found = std::move(found),
           .training = std::move(ordered),
           .network = std::move(network),
           .shape = shape,
           .samples = std::move(samples),
           .validation = std::move(validation_samples),
-          .least_squares_rmse = least_squares};
+          .least_squares_rmse = least_squares.rmse,
+          .least_squares_sd = least_squares.sd};
 }
 
 Identification make_network_identification(std::string_view method, const NetworkTask& task,
-                                           const IdentifyOptions& options, const Refinement& refinement) {
+                                           Extraction extraction, const IdentifyOptions& options,
+                                           const Refinement& refinement) {
   const TrainingState& best = refinement.best;
   require_fit(method, task, best);
   TrainedNetwork network = task.network;
@@ -183,19 +200,19 @@ Identification make_network_identification(std::string_view method, const Networ
   // layer is solved once more at the end.
   add_residual_figures(result.diagnostics, task.training, projected.rss, task.shape.parameters());
   result.network = std::move(network);
-  result.diagnostics.induced_deviation = projected.induced_deviation;
-  result.diagnostics.saturated_share = saturated_share(task, result.network->weights);
-  result.diagnostics.training_epochs = refinement.epochs;
+  NetworkDetails details;
+  details.saturated_fraction = saturated_fraction(task, result.network->weights);
+  details.induced_deviation = projected.induced_deviation;
+  details.training_epochs = refinement.epochs;
+  result.details = std::move(details);
   result.diagnostics.iterations = refinement.epochs;
-  add_coefficients(result, task, options, projected);
+  add_coefficients(result, task, extraction, projected);
   result.history.push_back({"training_rmse", best.training_curve});
   if (!best.validation_curve.empty()) result.history.push_back({"validation_rmse", best.validation_curve});
   for (Curve& curve : result.history) {
     for (double& value : curve.values) value *= scale / task.training.output_unit.to_canonical;
   }
-  result.ending = {ending_status(best.termination.cause),
-                   fmt::format("{} ({} epochs of the best of {} candidates)", best.termination.reason,
-                               best.epochs, refinement.candidates)};
+  result.ending = ending_of_training(best, refinement.candidates);
   return result;
 }
 

@@ -2,21 +2,21 @@
 #include "proofmass/identify/network/swarm_fitness.hpp"
 
 #include "proofmass/identify/network/separable_pool_internal.hpp"
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 
 namespace proofmass {
 
 SwarmFitnessFunction::SwarmFitnessFunction(const PerceptronShape& shape, const Samples& samples,
-                                           const IdentifyOptions& options, const Progress& progress)
+                                           const PsoBp& method, const Progress& progress)
     : shape_(shape),
       samples_(samples),
-      network_(options.network),
-      fitness_(options.swarm.fitness),
-      fitness_epochs_(options.swarm.fitness_epochs),
+      training_(method.network.training),
+      fitness_(method.fitness),
+      fitness_epochs_(method.fitness_epochs),
       progress_(progress),
       separable_(std::make_unique<const SeparablePool>(shape_, samples, kNoColumns)) {
-  network_.trainer = Trainer::lm;
+  training_.trainer = Trainer::lm;
 }
 
 SwarmFitnessFunction::~SwarmFitnessFunction() = default;
@@ -28,7 +28,7 @@ double SwarmFitnessFunction::operator()(std::span<const double> position) const 
 }
 
 double SwarmFitnessFunction::trained(std::span<const double> position) const {
-  const NetworkTrainer trainer(shape_, samples_, nullptr, network_);
+  const NetworkTrainer trainer(shape_, samples_, nullptr, training_);
   TrainingState state = trainer.start({position.begin(), position.end()});
   trainer.train(state, fitness_epochs_, [this] { return !progress_.cancelled(); });
   epochs_ += state.epochs;

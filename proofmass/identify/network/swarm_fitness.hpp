@@ -7,7 +7,7 @@
 #include <span>
 
 #include "proofmass/core/progress.hpp"
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/network/pso_bp.hpp"
 #include "proofmass/numeric/network/perceptron.hpp"
 #include "proofmass/numeric/samples.hpp"
 
@@ -23,7 +23,7 @@ class SeparablePool;
 // Safe to call from several threads.
 class SwarmFitnessFunction {
  public:
-  SwarmFitnessFunction(const PerceptronShape& shape, const Samples& samples, const IdentifyOptions& options,
+  SwarmFitnessFunction(const PerceptronShape& shape, const Samples& samples, const PsoBp& method,
                        const Progress& progress);
   ~SwarmFitnessFunction();
   [[nodiscard]] double operator()(std::span<const double> position) const;
@@ -35,7 +35,7 @@ class SwarmFitnessFunction {
 
   PerceptronShape shape_;
   const Samples& samples_;
-  NetworkOptions network_;
+  TrainingOptions training_;
   SwarmFitness fitness_;
   std::size_t fitness_epochs_;
   const Progress& progress_;

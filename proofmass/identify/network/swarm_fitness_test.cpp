@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "proofmass/identify/network/scaling.hpp"
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "support/networks.hpp"
@@ -20,8 +20,8 @@ constexpr PerceptronShape kShape{3, 5};
 class Fitness : public testing::Test {
  protected:
   [[nodiscard]] SwarmFitnessFunction make(SwarmFitness kind) {
-    options_.swarm.fitness = kind;
-    return {kShape, samples_, options_, progress_};
+    method_.fitness = kind;
+    return {kShape, samples_, method_, progress_};
   }
   [[nodiscard]] double rmse(const std::vector<double>& weights) const {
     return std::sqrt(perceptron_sse(kShape, weights, samples_) / static_cast<double>(samples_.rows()));
@@ -32,7 +32,7 @@ class Fitness : public testing::Test {
   const Samples samples_ = scale_rows(scaling_, record_);
   const std::vector<double> all_ = random_start(kShape, Trainer::lm, 1, 0);
   const std::vector<double> hidden_ = random_start(kShape, Trainer::varpro, 1, 0);
-  IdentifyOptions options_;
+  PsoBp method_;
   SilentProgress progress_;
 };
 
@@ -61,16 +61,17 @@ TEST_F(Fitness, SeparableIsTheErrorWithTheBestOutputLayer) {
 }
 
 TEST_F(Fitness, TrainedIsTheErrorAfterAFewEpochsOfThePlainTrainer) {
-  options_.network.trainer = Trainer::varpro;  // for the refinement; the fitness keeps to the plain one
-  options_.network.mu = 0.01;
-  options_.swarm.fitness_epochs = 7;
+  // For the refinement; the fitness keeps to the plain trainer.
+  method_.network.training.trainer = Trainer::varpro;
+  method_.network.training.mu = 0.01;
+  method_.fitness_epochs = 7;
   const SwarmFitnessFunction fitness = make(SwarmFitness::trained);
   const std::vector<double> before = all_;
   const double value = fitness(all_);
   EXPECT_EQ(all_, before) << "the particle moved";
   EXPECT_EQ(fitness.epochs(), 7U);
 
-  NetworkOptions plain = options_.network;
+  TrainingOptions plain = method_.network.training;
   plain.trainer = Trainer::lm;
   const NetworkTrainer trainer(kShape, samples_, nullptr, plain);
   TrainingState state = trainer.start(all_);

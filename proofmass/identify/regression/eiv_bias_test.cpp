@@ -30,8 +30,8 @@ Tallies tally(double input_sigma) {
   parallel_for(repeats, [&](std::size_t k) {
     SilentProgress progress;
     const Dataset record = simulate(plan, plan.rows, k + 1);
-    results[2 * k] = identify_eiv(record, {}, options, progress);
-    results[2 * k + 1] = identify_ols(record, {}, options, progress);
+    results[2 * k] = fit(Eiv{}, record, options, progress);
+    results[2 * k + 1] = fit(Ols{}, record, options, progress);
   });
   Tallies tallies{test::ErrorTally(plan, options.terms), test::ErrorTally(plan, options.terms)};
   for (std::size_t k = 0; k < results.size(); ++k) {

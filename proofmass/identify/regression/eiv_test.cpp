@@ -9,28 +9,23 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/regression/static_surface.hpp"
+#include "support/findings.hpp"
 #include "support/process.hpp"
 #include "support/twin.hpp"
 
 namespace proofmass {
 namespace {
 
-using testing::Contains;
 using testing::HasSubstr;
 
-IdentifyOptions options_for(const TermList& terms, ChiSquareScaling scaling = ChiSquareScaling::given) {
-  IdentifyOptions options;
-  options.terms = terms;
-  options.uncertainty.scaling = scaling;
-  return options;
-}
-
-Identification fit(const Dataset& record, const IdentifyOptions& options) {
+Identification fitted(const Dataset& record, const TermList& terms, const Eiv& method = {}) {
   SilentProgress progress;
-  return identify_eiv(record, {}, options, progress);
+  return fit(method, record, {.terms = terms}, progress);
 }
 
 Dataset noisy_twin() {
@@ -80,8 +75,10 @@ TEST(Eiv, AgreesWithScipyOdr) {
   for (const auto& set : sets) {
     SCOPED_TRACE(set["name"].get<std::string>());
     const Dataset record = record_of(set);
-    const auto given = fit(record, options_for(terms_of(set)));
-    const auto scaled = fit(record, options_for(terms_of(set), ChiSquareScaling::scaled));
+    const auto given = fitted(record, terms_of(set));
+    const auto scaled =
+        fitted(record, terms_of(set),
+               {.uncertainty = {.input = {}, .output = {}, .scaling = ChiSquareScaling::scaled}});
     ASSERT_EQ(given.coefficients.size(), set["beta"].size());
     for (std::size_t k = 0; k < given.coefficients.size(); ++k) {
       const double beta = set["beta"][k];
@@ -132,38 +129,44 @@ TEST(StaticSurface, IsTheModelAndItsDerivatives) {
 
 // --- What it says and refuses ------------------------------------------------------------------------------
 
-void expect_refusal(const Dataset& record, const IdentifyOptions& options, const std::string& advice) {
+// `remedies`: the options that the error says may help.
+void expect_refusal(const Dataset& record, const TermList& terms, const std::string& advice,
+                    const std::vector<std::string>& remedies = {}, const Eiv& method = {}) {
   try {
-    (void)fit(record, options);
+    (void)fitted(record, terms, method);
     ADD_FAILURE() << "no refusal";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::refused);
     EXPECT_THAT(error.what(), HasSubstr(advice));
+    std::vector<std::string> options;
+    for (const Remedy& remedy : error.remedies()) options.push_back(remedy.option);
+    EXPECT_EQ(options, remedies);
   }
 }
 
 TEST(Eiv, RefusesWithoutUncertaintiesSayingWhatToGive) {
-  const IdentifyOptions options = options_for(parse_terms("quadratic"));
+  const TermList terms = parse_terms("quadratic");
   Dataset record = noisy_twin();
   record.output_sigma.clear();
-  expect_refusal(record, options, "a column sigma_E in the record, or --sigma-output-ug");
+  expect_refusal(record, terms, "a column sigma_E in the record, or a constant", {"sigma-output-ug"});
   record = noisy_twin();
   for (auto& sigma : record.acceleration_sigma) sigma.assign(record.rows(), 0.0);
-  expect_refusal(record, options, "columns sigma_Ai, sigma_Ao, sigma_Ap in the record, or --sigma-input-ug");
+  expect_refusal(record, terms, "columns sigma_Ai, sigma_Ao, sigma_Ap in the record, or a constant",
+                 {"sigma-input-ug"});
   Dataset bare = record;
   bare.output_sigma.clear();
-  expect_refusal(bare, options,
-                 "--sigma-output-ug, referred to the input; and the uncertainty of at least one input");
+  expect_refusal(bare, terms, "a constant referred to the input; and the uncertainty of at least one input",
+                 {"sigma-output-ug", "sigma-input-ug"});
   // An axis that no term uses does not count.
   record.acceleration_sigma[1].assign(record.rows(), 1e-4);
-  expect_refusal(record, options_for(parse_terms("K0,Ki,Kii")), "that the model uses");
+  expect_refusal(record, parse_terms("K0,Ki,Kii"), "that the model uses", {"sigma-input-ug"});
 }
 
 TEST(Eiv, NamesTheRowWhoseOutputIsSaidToBeExact) {
   Dataset record = noisy_twin();
   record.output_sigma[17] = 0.0;
   try {
-    (void)fit(record, options_for(parse_terms("linear")));
+    (void)fitted(record, parse_terms("linear"));
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_data);
@@ -172,30 +175,61 @@ TEST(Eiv, NamesTheRowWhoseOutputIsSaidToBeExact) {
   }
 }
 
+Dataset points_of(std::vector<double> x, std::vector<double> sigma_x, std::vector<double> y,
+                  std::vector<double> sigma_y) {
+  Dataset record;
+  record.acceleration = {std::move(x), std::vector<double>(y.size()), std::vector<double>(y.size())};
+  record.acceleration_sigma[0] = std::move(sigma_x);
+  record.output = std::move(y);
+  record.output_sigma = std::move(sigma_y);
+  return record;
+}
+
+// The three points of SciPy's issue 12105. Through them runs a line of any slope nearly as well as another:
+// the least sum of squares over all slopes is 0.68919064 at a slope of 10.987, and it tends to 0.75382 for a
+// line parallel to the output axis, where least squares (slope -0.48) leads.
+TEST(Eiv, FindsTheFiniteMinimumThatLeastSquaresDoesNotLeadTo) {
+  const Dataset record = points_of({30.120348566300354, 36.218214083626386, 52.86998374096616},
+                                   {9.143516964542775, 13.139914563620316, 25.52829979507901},
+                                   {83.47033171149137, 129.10207165602722, 85.59465198231146},
+                                   {4.466601663162877, 6.1119669024770085, 23.009080364235516});
+  const Identification result = fitted(record, parse_terms("K0,Ki"));
+  EXPECT_NEAR(result.coefficients[0].value, -273.51, 0.01);
+  EXPECT_NEAR(result.coefficients[1].value, 10.98710, 1e-4);
+  EXPECT_NEAR(*result.coefficients[1].standard_error, 41.9, 0.1);
+  EXPECT_NEAR(result.history.at(0).values.back(), 0.68919064, 1e-8);
+  EXPECT_THAT(result.ending.reason, HasSubstr("the first did not lead there"));
+}
+
+// Nearly one output for opposite inputs, which are a thousandth of their uncertainty: the larger Ki, the
+// better.
+TEST(Eiv, ARunawayIsNotConvergence) {
+  const Dataset record = points_of({1e-3, -1e-3}, {1.0, 1.0}, {10.0, 11.0}, {1.0, 1.0});
+  expect_refusal(record, parse_terms("Ki"), "the coefficients grow without end", {"eiv-iterations"});
+}
+
 TEST(Eiv, ConstantsStandForColumns) {
   const Dataset record = noisy_twin();
-  IdentifyOptions options = options_for(parse_terms("paper"));
-  const Identification by_columns = fit(record, options);
-  options.uncertainty.input = 2e-4;
-  options.uncertainty.output = 3e-4 / 0.999979;
-  const Identification by_constants = fit(record, options);
+  const Identification by_columns = fitted(record, paper_terms());
+  const Identification by_constants =
+      fitted(record, paper_terms(), {.uncertainty = {.input = 2e-4, .output = 3e-4 / 0.999979}});
   for (std::size_t k = 0; k < by_columns.coefficients.size(); ++k) {
     const double error = *by_columns.coefficients[k].standard_error;
     EXPECT_NEAR(by_constants.coefficients[k].value, by_columns.coefficients[k].value, 1e-4 * error);
     EXPECT_NEAR(*by_constants.coefficients[k].standard_error, error, 1e-4 * error);
   }
-  EXPECT_THAT(by_constants.diagnostics.notes, Contains(HasSubstr("takes the place of the record's sigma_E")));
-  EXPECT_THAT(by_columns.diagnostics.notes, Contains(HasSubstr("independent from row to row")));
+  EXPECT_TRUE(test::has(by_constants, Code::sigma_output_replaced));
+  EXPECT_FALSE(test::has(by_columns, Code::sigma_output_replaced));
+  EXPECT_TRUE(test::has(by_columns, Code::independent_errors_assumed));
   EXPECT_EQ(by_columns.ending.status, EndingStatus::converged);
 }
 
 TEST(Eiv, RefusesWithTooFewIterations) {
-  IdentifyOptions options = options_for(parse_terms("paper"));
-  options.uncertainty.iterations = 1;
   Dataset record = noisy_twin();
   for (double& value : record.acceleration[0]) value += 0.05 * std::sin(1e3 * value);
   for (auto& sigma : record.acceleration_sigma) sigma.assign(record.rows(), 0.05);
-  expect_refusal(record, options, "--eiv-iterations");
+  expect_refusal(record, paper_terms(), "or the iterations too few", {"eiv-iterations"},
+                 {.uncertainty = {}, .iterations = 1});
 }
 
 }  // namespace

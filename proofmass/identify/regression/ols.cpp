@@ -12,19 +12,9 @@
 #include "proofmass/numeric/linear/normal_solution.hpp"
 
 namespace proofmass {
-namespace {
 
-Matrix scaled(Matrix matrix, double factor) {
-  for (std::size_t c = 0; c < matrix.columns(); ++c) {
-    for (double& value : matrix.column(c)) value *= factor;
-  }
-  return matrix;
-}
-
-}  // namespace
-
-Identification identify_ols(const Dataset& training, const Dataset& /*validation*/,
-                            const IdentifyOptions& options, Progress& progress) {
+Identification fit(const Ols& /*method*/, const Dataset& training, const IdentifyOptions& options,
+                   Progress& progress) {
   progress.update("least squares", 0, 1);
   const TermSums sums(training, options.terms);
   const Identifiability found = require_identifiable(sums, options.on_rank_loss);
@@ -38,13 +28,8 @@ Identification identify_ols(const Dataset& training, const Dataset& /*validation
 
   Identification result = make_identification("ols", training, options, found, fit);
   add_residual_figures(result.diagnostics, training, solution.rss, found.identified.size());
-  result.diagnostics.notes.emplace_back(
-      "standard errors assume exact inputs and output noise that is white with the same variance in every "
-      "row");
-  if (!training.output_sigma.empty()) {
-    result.diagnostics.notes.emplace_back(
-        "sigma_E is not used: ordinary least squares weighs all rows alike");
-  }
+  result.findings.push_back({.code = Code::white_noise_assumed});
+  note_unused_sigma(result, training);
   result.ending = {
       .status = EndingStatus::direct,
       .reason = fmt::format("solved directly by normal equations in twice the working precision: {} "

@@ -11,6 +11,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/regression/weighted_rows.hpp"
@@ -23,11 +24,13 @@ namespace {
 constexpr double kLeastSlope = 0.05;
 
 // Fits, and again without the terms that are lost together with the rows' weights.
-RobustFit fit_identifiable(const Dataset& training, const IdentifyOptions& options, Identifiability& found,
-                           const Progress& progress) {
+RobustFit fit_identifiable(const Robust& method, const Dataset& training, const IdentifyOptions& options,
+                           Identifiability& found, const Progress& progress) {
   while (true) {
-    RobustFit fit = fit_robustly(design_matrix(training, found.identified), training.output,
-                                 options.robust.fit, [&progress] { return !progress.cancelled(); });
+    RobustFit fit =
+        fit_robustly(design_matrix(training, found.identified), training.output,
+                     {.loss = method.loss, .tuning = method.tuning, .iterations = method.iterations},
+                     [&progress] { return !progress.cancelled(); });
     if (fit.termination.cause == Cause::stopped) {
       throw Error(ErrorKind::interrupted, "interrupted during the robust fit");
     }
@@ -35,10 +38,11 @@ RobustFit fit_identifiable(const Dataset& training, const IdentifyOptions& optio
     found = require_identifiable_by_weight(training, found, fit.weights, options.on_rank_loss);
     if (found.identified.size() < before) continue;
     if (fit.rank_lost) {
-      throw refusal(fmt::format(
-          "{}: so many rows lost their weight that the rest hardly determine the terms; a loss that keeps "
-          "weight (--loss huber), or fewer terms (--terms), may do",
-          training.source));
+      throw refusal(
+          fmt::format("{}: so many rows lost their weight that the rest hardly determine the terms; a loss "
+                      "that keeps weight, or fewer terms, may do",
+                      training.source),
+          {{"loss", "huber"}, {"terms", ""}});
     }
     return fit;
   }
@@ -46,10 +50,11 @@ RobustFit fit_identifiable(const Dataset& training, const IdentifyOptions& optio
 
 void require_curvature(const Dataset& training, const RobustFit& fit) {
   if (fit.psi_slope > kLeastSlope) return;
-  throw refusal(fmt::format(
-      "{}: too many rows lie where the loss is flat (mean slope of psi {:.2g}) for a usable fit; a larger "
-      "constant (--tuning) or --loss huber may do",
-      training.source, fit.psi_slope));
+  throw refusal(
+      fmt::format("{}: too many rows lie where the loss is flat (mean slope of psi {:.2g}) for a usable "
+                  "fit; a larger constant of the loss, or Huber's loss, may do",
+                  training.source, fit.psi_slope),
+      {{"tuning", ""}, {"loss", "huber"}});
 }
 
 std::vector<SuspectRow> suspect_rows(const Dataset& training, const RobustFit& fit, double limit) {
@@ -72,42 +77,63 @@ std::vector<SuspectRow> suspect_rows(const Dataset& training, const RobustFit& f
   return suspects;
 }
 
-std::string loss_note(const RobustFit& fit, bool given, const std::string& unit) {
+Finding loss_finding(const RobustFit& fit, bool given, const std::string& unit) {
   switch (fit.loss.kind) {
     case LossKind::huber:
-      return fmt::format("Huber's loss with k = {:g}", fit.loss.tuning);
+      return {.code = Code::huber_loss, .figures = {{"tuning", fit.loss.tuning}}};
     case LossKind::bisquare:
-      return fmt::format("Tukey's bisquare loss with c = {:g}", fit.loss.tuning);
+      return {.code = Code::bisquare_loss, .figures = {{"tuning", fit.loss.tuning}}};
     case LossKind::student:
-      return fmt::format("likelihood of Student's t with {:.4g} degrees of freedom ({}) and scale {:.5g} {}",
-                         fit.loss.tuning, given ? "given" : "estimated", fit.loss_scale, unit);
+      return {.code = Code::student_loss,
+              .figures = {{"tuning", fit.loss.tuning},
+                          {"origin", std::string(given ? "given" : "estimated")},
+                          {"scale", fit.loss_scale},
+                          {"unit", unit}}};
   }
   return {};
 }
 
-void add_notes(Diagnostics& diagnostics, const Dataset& training, const RobustFit& fit,
-               const RobustSettings& settings) {
-  const std::string unit = training.output_unit.canonical_symbol();
-  diagnostics.notes.push_back(fmt::format(
-      "{}; residuals have a robust scale (median of their sizes / 0.6745) of {:.5g} {}; {} of {} rows lie "
-      "beyond {:g} of it",
-      loss_note(fit, settings.fit.tuning.has_value(), unit), fit.scale, unit, diagnostics.suspect_rows.size(),
-      training.rows(), settings.outlier_limit));
-  diagnostics.notes.emplace_back(
-      "standard errors are asymptotic (Huber 1981); they assume exact inputs and independent output noise "
-      "with one symmetric distribution in every row; residual sd counts outliers in full");
-  if (!training.output_sigma.empty()) {
-    diagnostics.notes.emplace_back("sigma_E is not used: all rows share one scale, estimated from residuals");
+// On the scale that decides which rows are suspect.
+void add_scale_findings(std::vector<Finding>& findings, const RobustFit& fit, const std::string& unit) {
+  if (fit.scale_floored && fit.resolution > 0.0) {
+    findings.push_back(
+        {.code = Code::scale_at_resolution,
+         .figures = {{"step", fit.resolution}, {"rounding", fit.scale_floor}, {"unit", unit}}});
+  } else if (fit.scale_floored) {
+    findings.push_back(
+        {.code = Code::scale_at_rounding, .figures = {{"scale", fit.scale_floor}, {"unit", unit}}});
   }
+  if (!fit.scale_check.doubtful) return;
+  findings.push_back({.code = Code::scale_doubtful,
+                      .severity = Severity::warning,
+                      .figures = {{"over_shortest_half", fit.scale_check.over_shortest_half},
+                                  {"quantile_ratio", fit.scale_check.quantile_ratio}}});
+}
+
+void add_findings(Identification& result, const Dataset& training, const RobustFit& fit, const Robust& method,
+                  const std::vector<SuspectRow>& suspects) {
+  const std::string unit = training.output_unit.canonical_symbol();
+  result.findings.push_back(loss_finding(fit, method.tuning.has_value(), unit));
+  Finding outlying{.code = Code::outlying_rows,
+                   .figures = {{"count", suspects.size()},
+                               {"total", training.rows()},
+                               {"limit", method.outlier_limit},
+                               {"scale", fit.scale},
+                               {"unit", unit}}};
+  for (const SuspectRow& suspect : suspects) outlying.lines.push_back(suspect.line.value_or(suspect.row));
+  result.findings.push_back(std::move(outlying));
+  add_scale_findings(result.findings, fit, unit);
+  result.findings.push_back({.code = Code::robust_errors_asymptotic});
+  note_unused_sigma(result, training);
 }
 
 }  // namespace
 
-Identification identify_robust(const Dataset& training, const Dataset& /*validation*/,
-                               const IdentifyOptions& options, Progress& progress) {
+Identification fit(const Robust& method, const Dataset& training, const IdentifyOptions& options,
+                   Progress& progress) {
   progress.update("robust regression", 0, 1);
   Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
-  RobustFit fit = fit_identifiable(training, options, found, progress);
+  RobustFit fit = fit_identifiable(method, training, options, found, progress);
   require_curvature(training, fit);
 
   Identification result =
@@ -115,12 +141,10 @@ Identification identify_robust(const Dataset& training, const Dataset& /*validat
                           {.coefficients = fit.coefficients, .covariance = fit.covariance, .vif = fit.vif});
   add_residual_figures(result.diagnostics, training, fit.rss, found.identified.size());
   result.diagnostics.iterations = fit.iterations;
-  result.diagnostics.robust_scale = fit.scale;
-  result.diagnostics.suspect_rows = suspect_rows(training, fit, options.robust.outlier_limit);
-  add_notes(result.diagnostics, training, fit, options.robust);
-  result.ending = {.status = fit.termination.cause == Cause::converged ? EndingStatus::converged
-                                                                       : EndingStatus::iteration_limit,
-                   .reason = std::move(fit.termination.reason)};
+  std::vector<SuspectRow> suspects = suspect_rows(training, fit, method.outlier_limit);
+  add_findings(result, training, fit, method, suspects);
+  result.details = RobustDetails{.scale = fit.scale, .suspect_rows = std::move(suspects)};
+  result.ending = ending_of(std::move(fit.termination));
   progress.update("robust regression", 1, 1);
   return result;
 }

@@ -5,41 +5,39 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <variant>
 
 #include "proofmass/core/error.hpp"
 #include "support/efficiency.hpp"
+#include "support/findings.hpp"
 #include "support/twin.hpp"
 
 namespace proofmass {
 namespace {
 
-using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
-Identification fit(const Dataset& record, LossKind loss, const char* terms = "linear",
-                   RankLossPolicy policy = RankLossPolicy::refuse) {
-  IdentifyOptions options;
-  options.terms = parse_terms(terms);
-  options.on_rank_loss = policy;
-  options.robust.fit.loss = loss;
+Identification fitted(const Dataset& record, LossKind loss, const char* terms = "linear",
+                      RankLossPolicy policy = RankLossPolicy::refuse) {
   SilentProgress progress;
-  return identify_robust(record, {}, options, progress);
+  return fit(Robust{.loss = loss, .tuning = {}}, record,
+             {.terms = parse_terms(terms), .on_rank_loss = policy}, progress);
 }
 
 // Required: within 1.15 of the efficient bound, for the noise's own density with its outliers. Twenty seeds
 // and 15 correlated terms tell the figure to about 0.03 (one standard deviation).
 TEST(Robust, ReachesTheBoundUnderHeavyTailsAndOutliers) {
   const SimulationPlan plan = test::shipped_plan("twin-heavy-tails");
-  IdentifyOptions options;
-  options.terms = parse_terms("paper");
+  const IdentifyOptions options{.terms = parse_terms("paper")};
   for (const LossKind loss : {LossKind::huber, LossKind::bisquare, LossKind::student}) {
-    options.robust.fit.loss = loss;
-    const test::Efficiency robust = test::measure_efficiency("robust", plan, options, 20);
+    const test::Efficiency robust =
+        test::measure_efficiency(Robust{.loss = loss, .tuning = {}}, plan, options, 20);
     EXPECT_LT(robust.over_bound, 1.15);
     EXPECT_GT(robust.over_bound, 0.88);  // nothing beats the bound by more than chance
     EXPECT_NEAR(robust.over_stated, 1.0, 0.1);
   }
-  EXPECT_GT(test::measure_efficiency("ols", plan, options, 20).over_bound, 4.0);
+  EXPECT_GT(test::measure_efficiency(Ols{}, plan, options, 20).over_bound, 4.0);
 }
 
 TEST(Robust, ListsOutliersByLineLargestFirst) {
@@ -47,8 +45,8 @@ TEST(Robust, ListsOutliersByLineLargestFirst) {
   for (std::size_t row = 0; row < record.rows(); ++row) record.line.push_back(row + 5);
   record.output[20] += 1e-3;
   record.output[200] -= 2e-3;
-  const Identification result = fit(record, LossKind::bisquare, "paper");
-  const auto& suspects = result.diagnostics.suspect_rows;
+  const Identification result = fitted(record, LossKind::bisquare, "paper");
+  const auto& [scale, suspects] = std::get<RobustDetails>(result.details);
   ASSERT_EQ(suspects.size(), 2U);
   EXPECT_EQ(suspects[0].line, 205U);
   EXPECT_EQ(suspects[1].line, 25U);
@@ -56,14 +54,19 @@ TEST(Robust, ListsOutliersByLineLargestFirst) {
   EXPECT_NEAR(suspects[1].residual, 1e-3, 5e-5);
   EXPECT_NEAR(suspects[0].scaled_residual, -200.0, 40.0);
   EXPECT_EQ(suspects[0].weight, 0.0);
-  EXPECT_NEAR(*result.diagnostics.robust_scale, 1e-5, 2e-6);
-  EXPECT_THAT(result.diagnostics.notes, Contains(HasSubstr("2 of 300 rows lie beyond 4 of it")));
+  EXPECT_NEAR(scale, 1e-5, 2e-6);
+  const Finding& outlying = test::finding_of(result, Code::outlying_rows);
+  EXPECT_EQ(test::number(outlying, "count"), 2.0);
+  EXPECT_EQ(test::number(outlying, "total"), 300.0);
+  EXPECT_EQ(test::number(outlying, "limit"), 4.0);
+  EXPECT_EQ(test::number(outlying, "scale"), scale);
+  EXPECT_THAT(outlying.lines, ElementsAre(205U, 25U));
 }
 
 TEST(Robust, ExactRecordsStayExactDespiteOutliers) {
   Dataset record = test::make_twin({.noise = 0.0});
   for (std::size_t row = 0; row < record.rows(); row += 7) record.output[row] += 0.01;
-  const Identification result = fit(record, LossKind::bisquare, "paper");
+  const Identification result = fitted(record, LossKind::bisquare, "paper");
   const StaticModel truth = test::paper_truth();
   for (const Coefficient& c : result.coefficients) {
     EXPECT_NEAR(c.value, truth.coefficient(c.term), 1e-12) << name(c.term);
@@ -84,14 +87,14 @@ Dataset pendulous_rows_at_odds() {
 TEST(Robust, RankLossCountsRowsWithWeightOnly) {
   const Dataset record = pendulous_rows_at_odds();
   try {
-    (void)fit(record, LossKind::bisquare);
+    (void)fitted(record, LossKind::bisquare);
     ADD_FAILURE() << "no refusal";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::refused);
     EXPECT_THAT(error.what(), HasSubstr("rows that have weight"));
     EXPECT_THAT(error.what(), HasSubstr("Kp"));
   }
-  const Identification result = fit(record, LossKind::bisquare, "linear", RankLossPolicy::drop);
+  const Identification result = fitted(record, LossKind::bisquare, "linear", RankLossPolicy::drop);
   EXPECT_FALSE(result.coefficients[3].identified);
   EXPECT_NEAR(result.coefficients[1].value, 0.9, 1e-5);
 }
@@ -99,9 +102,11 @@ TEST(Robust, RankLossCountsRowsWithWeightOnly) {
 TEST(Robust, SaysWhatItUsedAndWhatNot) {
   Dataset record = test::make_twin();
   record.output_sigma.assign(record.rows(), 3e-4);
-  EXPECT_THAT(fit(record, LossKind::huber).diagnostics.notes, Contains(HasSubstr("k = 1.345")));
-  EXPECT_THAT(fit(record, LossKind::student).diagnostics.notes, Contains(HasSubstr("(estimated)")));
-  EXPECT_THAT(fit(record, LossKind::bisquare).diagnostics.notes, Contains(HasSubstr("sigma_E is not used")));
+  const Identification huber = fitted(record, LossKind::huber);
+  EXPECT_EQ(test::number(test::finding_of(huber, Code::huber_loss), "tuning"), 1.345);
+  const Identification student = fitted(record, LossKind::student);
+  EXPECT_EQ(test::word(test::finding_of(student, Code::student_loss), "origin"), "estimated");
+  EXPECT_TRUE(test::has(fitted(record, LossKind::bisquare), Code::sigma_output_unused));
 }
 
 }  // namespace

@@ -82,38 +82,35 @@ void require_generic(const TotalLeastSquaresFit& fit) {
       "larger than its own error; give smaller ones or fewer terms, or use eiv");
 }
 
-void add_notes(const TermList& terms, const Uncertainties& sigmas, const IdentifyOptions& options,
-               double variance_ratio, std::vector<std::string>& notes) {
-  notes.insert(notes.end(), sigmas.notes.begin(), sigmas.notes.end());
-  notes.push_back(describe_standard_errors(options.uncertainty.scaling, variance_ratio));
+void add_findings(std::vector<Finding>& findings, const TermList& terms, const Uncertainties& sigmas,
+                  ChiSquareScaling scaling, double variance_ratio) {
+  findings.insert(findings.end(), sigmas.findings.begin(), sigmas.findings.end());
+  findings.push_back(explain_standard_errors(scaling, variance_ratio));
   const bool powers = std::any_of(terms.begin(), terms.end(), [](Term t) { return info(t).order() > 1; });
   if (powers) {
-    notes.emplace_back(
-        "known bias: total least squares takes the errors of all regressors as independent, with mean zero "
-        "and "
-        "alike in every row; those of powers and products are none of these, and the bias grows with the "
-        "square "
-        "of the input noise; eiv is free of it");
+    findings.push_back({.code = Code::total_least_squares_biased, .severity = Severity::warning});
   }
 }
 
 }  // namespace
 
-Identification identify_tls(const Dataset& training, const Dataset& /*validation*/,
-                            const IdentifyOptions& options, Progress& progress) {
+SigmaColumns Tls::sigma_columns() const noexcept { return uncertainty.sigma_columns(); }
+
+Identification fit(const Tls& method, const Dataset& training, const IdentifyOptions& options,
+                   Progress& progress) {
   progress.update("total least squares", 0, 1);
   const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted before total least squares");
   const TermList& terms = found.identified;
   const Matrix design = design_matrix(training, terms);
   const Uncertainties sigmas = find_uncertainties(
-      "tls", training, terms, solve_least_squares(design, training.output).coefficients, options.uncertainty);
+      "tls", training, terms, solve_least_squares(design, training.output).coefficients, method.uncertainty);
   TotalLeastSquaresFit solution = solve_total_least_squares(
       design, training.output, regressor_sigmas(terms, training, sigmas), typical(sigmas.output));
   require_generic(solution);
 
   const double ratio = solution.variance_ratio();
-  if (options.uncertainty.scaling == ChiSquareScaling::scaled) {
+  if (method.uncertainty.scaling == ChiSquareScaling::scaled) {
     for (std::size_t c = 0; c < terms.size(); ++c) {
       for (double& value : solution.unscaled_covariance.column(c)) value *= ratio;
     }
@@ -124,7 +121,7 @@ Identification identify_tls(const Dataset& training, const Dataset& /*validation
                                                .covariance = std::move(solution.unscaled_covariance),
                                                .vif = {}});
   add_residual_figures(result.diagnostics, training, rss, terms.size());
-  add_notes(terms, sigmas, options, ratio, result.diagnostics.notes);
+  add_findings(result.findings, terms, sigmas, method.uncertainty.scaling, ratio);
   result.ending = {
       .status = EndingStatus::direct,
       .reason = fmt::format("solved directly by QR and SVD: {} rows, {} coefficients, gap of the singular "

@@ -33,7 +33,7 @@ bool find_input(const Dataset& data, const TermList& terms, const std::optional<
     if (!any_above_zero(found.input[k])) found.input[k].clear();
     any = any || !found.input[k].empty();
   }
-  if (replaced) found.notes.emplace_back("--sigma-input-ug takes the place of the record's sigma columns");
+  if (replaced) found.findings.push_back({.code = Code::sigma_inputs_replaced});
   return any;
 }
 
@@ -43,9 +43,10 @@ double sensitivity(std::string_view method, const Dataset& data, const TermList&
   const auto ki = std::find(terms.begin(), terms.end(), Term::Ki);
   if (ki != terms.end()) return std::abs(least_squares[static_cast<std::size_t>(ki - terms.begin())]);
   if (data.output_unit.is_acceleration()) return 1.0;
-  throw refusal(
-      fmt::format("{} cannot tell what --sigma-output-ug is in {} without the term Ki; give a column sigma_E",
-                  method, data.output_unit.canonical_symbol()));
+  throw refusal(fmt::format(
+      "{} cannot convert the uncertainty of the output, which is referred to the input, to {} without "
+      "the term Ki: give a column sigma_E",
+      method, data.output_unit.canonical_symbol()));
 }
 
 constexpr double kLeastSigma = 1e-30;
@@ -53,10 +54,10 @@ constexpr double kMostSigma = 1e30;
 
 bool in_range(double sigma) { return sigma >= kLeastSigma && sigma <= kMostSigma; }
 
-void require_usable_constant(std::string_view option, double sigma) {
+void require_usable_constant(std::string_view what, double sigma) {
   if (in_range(sigma)) return;
   throw usage_error(
-      fmt::format("{} is {:.3g} g, expected {:.0g} to {:.0g} g", option, sigma, kLeastSigma, kMostSigma));
+      fmt::format("{} is {:.3g} g, expected {:.0g} to {:.0g} g", what, sigma, kLeastSigma, kMostSigma));
 }
 
 void require_usable_column(const Dataset& record, const std::vector<double>& sigma, const std::string& column,
@@ -71,25 +72,29 @@ void require_usable_column(const Dataset& record, const std::vector<double>& sig
   }
 }
 
-// What to give for the uncertainties that are missing.
-std::string wanted(std::string_view method, bool output, bool inputs) {
+Error missing_uncertainties(std::string_view method, bool output, bool inputs) {
   std::string text = fmt::format("{} needs ", method);
+  std::vector<Remedy> remedies;
   if (output) {
     text +=
-        "the uncertainty of the output: a column sigma_E in the record, or --sigma-output-ug, referred to "
-        "the "
-        "input";
+        "the uncertainty of the output: a column sigma_E in the record, or a constant referred to the input";
+    remedies.push_back({"sigma-output-ug", ""});
   }
   if (output && inputs) text += "; and ";
   if (inputs) {
     text +=
         "the uncertainty of at least one input that the model uses, above zero: columns sigma_Ai, sigma_Ao, "
-        "sigma_Ap in the record, or --sigma-input-ug for all axes; where inputs are exact, use ols";
+        "sigma_Ap in the record, or a constant for all axes; where inputs are exact, use ols";
+    remedies.push_back({"sigma-input-ug", ""});
   }
-  return text;
+  return refusal(text, std::move(remedies));
 }
 
 }  // namespace
+
+SigmaColumns UncertaintyOptions::sigma_columns() const noexcept {
+  return {.output = !output, .inputs = !input};
+}
 
 void require_usable_sigmas(const Dataset& record, const SigmaColumns& used) {
   if (used.output) require_usable_column(record, record.output_sigma, "sigma_E", false);
@@ -104,17 +109,18 @@ Uncertainties find_uncertainties(std::string_view method, const Dataset& data, c
                                  const std::vector<double>& least_squares,
                                  const UncertaintyOptions& options) {
   Uncertainties found;
-  require_usable_sigmas(data, {.output = !options.output, .inputs = !options.input});
-  if (options.input && *options.input != 0.0) require_usable_constant("--sigma-input-ug", *options.input);
+  require_usable_sigmas(data, options.sigma_columns());
+  if (options.input && *options.input != 0.0)
+    require_usable_constant("the uncertainty of the inputs", *options.input);
   const bool output_missing = !options.output && data.output_sigma.empty();
   const bool inputs_missing = !find_input(data, terms, options.input, found);
-  if (output_missing || inputs_missing) throw refusal(wanted(method, output_missing, inputs_missing));
+  if (output_missing || inputs_missing) throw missing_uncertainties(method, output_missing, inputs_missing);
   if (options.output) {
     const double sigma = *options.output * sensitivity(method, data, terms, least_squares);
-    require_usable_constant("--sigma-output-ug", *options.output);
+    require_usable_constant("the uncertainty of the output", *options.output);
     found.output.assign(data.rows(), sigma);
     if (!data.output_sigma.empty()) {
-      found.notes.emplace_back("--sigma-output-ug takes the place of the record's sigma_E");
+      found.findings.push_back({.code = Code::sigma_output_replaced});
     }
   } else {
     found.output = data.output_sigma;
@@ -122,19 +128,9 @@ Uncertainties find_uncertainties(std::string_view method, const Dataset& data, c
   return found;
 }
 
-std::string describe_standard_errors(ChiSquareScaling scaling, double ratio) {
-  const double factor = std::sqrt(ratio);
-  if (scaling == ChiSquareScaling::given) {
-    return fmt::format(
-        "standard errors take the uncertainties given as they are; the residuals are {:.3g} times as large "
-        "as "
-        "these lead to expect",
-        factor);
-  }
-  return fmt::format(
-      "standard errors take from the uncertainties given only their ratios, and are scaled by {:.3g}, the "
-      "size of the residuals over that expected",
-      factor);
+Finding explain_standard_errors(ChiSquareScaling scaling, double ratio) {
+  return {.code = scaling == ChiSquareScaling::given ? Code::uncertainties_taken : Code::uncertainties_scaled,
+          .figures = {{"factor", std::sqrt(ratio)}}};
 }
 
 }  // namespace proofmass

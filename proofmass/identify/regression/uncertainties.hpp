@@ -7,16 +7,11 @@
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
+#include "proofmass/core/finding.hpp"
 #include "proofmass/core/term.hpp"
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/regression/uncertainty_options.hpp"
 
 namespace proofmass {
-
-// Which of a record's sigma columns a fit goes by.
-struct SigmaColumns {
-  bool output = false;
-  bool inputs = false;
-};
 
 // Throws bad data naming file, row and column where a standard uncertainty that a fit goes by is zero (the
 // output's), or outside 1e-30 to 1e30 of its unit, where squares and their ratios leave the range of numbers.
@@ -26,7 +21,7 @@ void require_usable_sigmas(const Dataset& record, const SigmaColumns& used);
 struct Uncertainties {
   std::array<std::vector<double>, 3> input;  // of Ai, Ao, Ap in g; empty where the axis counts as exact
   std::vector<double> output;                // of E, in the output's canonical unit
-  std::vector<std::string> notes;            // where they came from, if not from the record alone
+  std::vector<Finding> findings;             // where they came from, if not from the record alone
 };
 
 // From the options' constants where given, otherwise from the record's sigma columns. `least_squares` are the
@@ -39,8 +34,8 @@ struct Uncertainties {
                                                const std::vector<double>& least_squares,
                                                const UncertaintyOptions& options);
 
-// What standard errors of these methods assume, as a note. `ratio` is the residual variance over that which
-// the uncertainties lead to expect.
-[[nodiscard]] std::string describe_standard_errors(ChiSquareScaling scaling, double ratio);
+// How standard errors of these methods go by the uncertainties. `ratio` is the residual variance over that
+// which the uncertainties lead to expect.
+[[nodiscard]] Finding explain_standard_errors(ChiSquareScaling scaling, double ratio);
 
 }  // namespace proofmass

@@ -31,18 +31,20 @@ Error weighted_refusal(const Dataset& data, const Identifiability& left, std::si
       fmt::format("{}: the {} of {} rows that have weight cannot identify {} of the terms:", data.source,
                   rows, data.rows(), left.lost.size());
   for (const auto& lost : left.lost) message += fmt::format("\n  {}: {}", name(lost.term), lost.reason);
-  return refusal(message +
-                 "\nfit without them (--on-rank-loss drop), ask for fewer terms (--terms), or look at the "
-                 "rows that lost their weight");
+  return refusal(
+      message + "\nFit without them, ask for fewer terms, or look at the rows that lost their weight.",
+      {{"on-rank-loss", "drop"}, {"terms", ""}});
 }
 
 // An exact fit to as many rows as terms says nothing of its errors.
 void require_spare_row(const Dataset& data, const Identifiability& left, std::size_t rows) {
   if (rows > left.identified.size()) return;
-  throw refusal(fmt::format(
-      "{}: {} of {} rows have weight beside the others, too few for {} terms; at least one more "
-      "than the terms is needed: ask for fewer terms (--terms), or look at the rows that lost their weight",
-      data.source, rows, data.rows(), left.identified.size()));
+  throw refusal(
+      fmt::format("{}: {} of {} rows have weight beside the others, too few for {} terms; at least one "
+                  "more than the terms is needed: ask for fewer terms, or look at the rows that lost their "
+                  "weight",
+                  data.source, rows, data.rows(), left.identified.size()),
+      {{"terms", ""}});
 }
 
 }  // namespace

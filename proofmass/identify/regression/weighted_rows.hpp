@@ -9,7 +9,7 @@
 
 namespace proofmass {
 
-// Rows whose weight is below this share of the largest tell nothing: their square roots are the factors of
+// Rows whose weight is below this fraction of the largest tell nothing: their square roots are the factors of
 // the rows, and 1e-8 of the scale is where rows begin to vanish in the rounding of the others.
 inline constexpr double kNoWeight = 1e-16;
 

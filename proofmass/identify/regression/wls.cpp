@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
@@ -31,16 +32,16 @@ struct Weighted {
   double variance = 0.0;
   std::size_t rows = 0;  // with weight
   Ending ending;
-  std::vector<std::string> notes;
+  std::vector<Finding> findings;
   std::optional<std::size_t> iterations;  // of the variance model
 };
 
 Error bad_sigma(const Dataset& training, std::size_t row) {
   const std::size_t line = training.line.empty() ? 0 : training.line[row];
-  return bad_data(
-      {.file = training.source, .row = line, .column = "sigma_E"},
-      fmt::format("{}", training.output_sigma[row]),
-      "a standard uncertainty above zero; or leave weights to the residuals with --weights model");
+  return bad_data({.file = training.source, .row = line, .column = "sigma_E"},
+                  fmt::format("{}", training.output_sigma[row]),
+                  "a standard uncertainty above zero; or let the residuals decide the weights",
+                  {{"weights", "model"}});
 }
 
 // 1 / sigma_E², that of the first row being one.
@@ -56,30 +57,27 @@ std::vector<double> sigma_weights(const Dataset& training) {
   return weights;
 }
 
-std::string chi_square_note(double ratio, double dof, ChiSquareScaling scaling) {
-  std::string note = fmt::format("chi²/dof = {:.5g} (about 1 ± {:.2g} when sigma_E is right); ", ratio,
-                                 std::sqrt(2.0 / dof));
-  note += scaling == ChiSquareScaling::given
-              ? fmt::format(
-                    "standard errors take sigma_E as given; scaled to the residuals (--sigma-scale "
-                    "chi2) they are {:.5g} times as large",
-                    std::sqrt(ratio))
-              : fmt::format(
-                    "standard errors are scaled to the residuals; with sigma_E taken as given "
-                    "(--sigma-scale given) they are {:.5g} times as large",
-                    1.0 / std::sqrt(ratio));
-  if (std::abs(ratio - 1.0) > kDoubt * std::sqrt(2.0 / dof)) {
-    note += ratio > 1.0
-                ? ". The residuals are larger than sigma_E allows: it is too small, or the model lacks "
-                  "terms, or there are outliers"
-                : ". The residuals are smaller than sigma_E says: it is too large";
+// `ratio`: chi²/dof.
+void add_chi_square_findings(std::vector<Finding>& findings, double ratio, double dof,
+                             ChiSquareScaling scaling) {
+  const double spread = std::sqrt(2.0 / dof);
+  const double factor = std::sqrt(ratio);
+  if (scaling == ChiSquareScaling::given) {
+    findings.push_back({.code = Code::sigma_output_taken,
+                        .figures = {{"ratio", ratio}, {"spread", spread}, {"factor", factor}}});
+  } else {
+    findings.push_back({.code = Code::sigma_output_scaled,
+                        .figures = {{"ratio", ratio}, {"spread", spread}, {"factor", 1.0 / factor}}});
   }
-  return note;
+  if (std::abs(ratio - 1.0) <= kDoubt * spread) return;
+  findings.push_back({.code = ratio > 1.0 ? Code::sigma_output_too_small : Code::sigma_output_too_large,
+                      .severity = Severity::warning,
+                      .figures = {{"ratio", ratio}}});
 }
 
 // `counted`: the rows with weight.
 Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<double> weights,
-                      std::size_t counted, const WlsOptions& options) {
+                      std::size_t counted, const Wls& options) {
   const Dataset& training = sums.data();
   // The variance that weight 1 stands for.
   const double unit_variance = training.output_sigma.front() * training.output_sigma.front();
@@ -94,13 +92,12 @@ Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<d
   result.coefficients = std::move(solution.coefficients);
   result.unscaled_covariance = std::move(solution.unscaled_covariance);
   result.variance = options.scaling == ChiSquareScaling::given ? unit_variance : unit_variance * ratio;
-  result.notes.emplace_back("weights are 1 / sigma_E² from the record");
-  result.notes.push_back(chi_square_note(ratio, dof, options.scaling));
+  result.findings.push_back({.code = Code::weights_from_sigma});
+  add_chi_square_findings(result.findings, ratio, dof, options.scaling);
   if (counted < training.rows()) {
-    result.notes.push_back(
-        fmt::format("{} of {} rows have no weight beside the others, their sigma_E being so much larger: "
-                    "they tell nothing and do not count as degrees of freedom",
-                    training.rows() - counted, training.rows()));
+    result.findings.push_back(
+        {.code = Code::rows_without_weight,
+         .figures = {{"count", training.rows() - counted}, {"total", training.rows()}}});
   }
   result.ending = {
       .status = EndingStatus::direct,
@@ -127,27 +124,21 @@ std::string axes_text(const Dataset& training) {
   return text;
 }
 
-Weighted fit_by_model(const TermSums& sums, const TermList& terms, const WlsOptions& options) {
+Weighted fit_by_model(const TermSums& sums, const TermList& terms, const Wls& options) {
   const Dataset& training = sums.data();
   GrowingVarianceFit fit = fit_growing_variance(sums.rows(terms), squared_magnitudes(training),
                                                 {.iterations = options.iterations});
   Weighted result;
   result.rows = training.rows();
-  const std::string unit = training.output_unit.canonical_symbol();
-  result.notes.push_back(fmt::format(
-      "weights are from the residuals by restricted maximum likelihood: sigma² = s0² + s1² |A|², s0 = {:.5g} "
-      "{}, s1 = {:.5g} {}/g, |A| over {}",
-      std::sqrt(fit.base), unit, std::sqrt(fit.slope), unit, axes_text(training)));
-  if (fit.slope == 0.0) {
-    result.notes.emplace_back(
-        "the residuals show no growth with |A|, or |A| is the same in every row: all rows weigh alike, the "
-        "result is that of ols");
-  }
+  result.findings.push_back({.code = Code::weights_from_model,
+                             .figures = {{"s0", std::sqrt(fit.base)},
+                                         {"s1", std::sqrt(fit.slope)},
+                                         {"unit", training.output_unit.canonical_symbol()},
+                                         {"axes", axes_text(training)}}});
+  if (fit.slope == 0.0) result.findings.push_back({.code = Code::variance_does_not_grow});
   result.iterations = fit.iterations;
   result.variance = fit.variance;
-  result.ending = {.status = fit.termination.cause == Cause::converged ? EndingStatus::converged
-                                                                       : EndingStatus::iteration_limit,
-                   .reason = std::move(fit.termination.reason)};
+  result.ending = ending_of(std::move(fit.termination));
   result.coefficients = std::move(fit.fit.coefficients);
   result.unscaled_covariance = std::move(fit.fit.unscaled_covariance);
   result.rss = fit.fit.rss;
@@ -156,8 +147,10 @@ Weighted fit_by_model(const TermSums& sums, const TermList& terms, const WlsOpti
 
 bool uses_sigma(const Dataset& training, WeightSource source) {
   if (source == WeightSource::sigma && training.output_sigma.empty()) {
-    throw bad_data({.file = training.source, .row = 0, .column = "sigma_E"}, "",
-                   "a column with the standard uncertainty of E in each row; or --weights model");
+    throw bad_data(
+        {.file = training.source, .row = 0, .column = "sigma_E"}, "",
+        "a column with the standard uncertainty of E in each row; or let the residuals decide the weights",
+        {{"weights", "model"}});
   }
   return source != WeightSource::model && !training.output_sigma.empty();
 }
@@ -174,10 +167,14 @@ StaticFit static_fit(const TermSums& sums, const TermList& terms, const Weighted
 
 }  // namespace
 
-Identification identify_wls(const Dataset& training, const Dataset& /*validation*/,
-                            const IdentifyOptions& options, Progress& progress) {
+SigmaColumns Wls::sigma_columns() const noexcept {
+  return {.output = weights != WeightSource::model, .inputs = false};
+}
+
+Identification fit(const Wls& method, const Dataset& training, const IdentifyOptions& options,
+                   Progress& progress) {
   progress.update("weighted least squares", 0, 1);
-  const bool by_sigma = uses_sigma(training, options.wls.weights);
+  const bool by_sigma = uses_sigma(training, method.weights);
   std::vector<double> weights = by_sigma ? sigma_weights(training) : std::vector<double>();
   const TermSums sums =
       by_sigma ? TermSums(training, options.terms, weights) : TermSums(training, options.terms);
@@ -190,23 +187,18 @@ Identification identify_wls(const Dataset& training, const Dataset& /*validation
     if (counted < training.rows()) {
       found = require_identifiable_by_weight(training, found, weights, options.on_rank_loss);
     }
-    weighted = fit_by_sigma(sums, found.identified, std::move(weights), counted, options.wls);
+    weighted = fit_by_sigma(sums, found.identified, std::move(weights), counted, method);
   } else {
-    weighted = fit_by_model(sums, found.identified, options.wls);
+    weighted = fit_by_model(sums, found.identified, method);
   }
 
   Identification result =
       make_identification("wls", training, options, found, static_fit(sums, found.identified, weighted));
   add_residual_figures(result.diagnostics, training, weighted.rss, found.identified.size());
   result.diagnostics.dof = weighted.rows - found.identified.size();
-  auto& notes = result.diagnostics.notes;
-  notes.insert(notes.end(), weighted.notes.begin(), weighted.notes.end());
-  notes.emplace_back(
-      "standard errors assume exact inputs and independent output noise whose variance is as said; residual "
-      "sd is over all rows alike");
-  if (!by_sigma && !training.output_sigma.empty()) {
-    notes.emplace_back("sigma_E is not used: weights were asked for from the residuals");
-  }
+  result.findings.insert(result.findings.end(), weighted.findings.begin(), weighted.findings.end());
+  result.findings.push_back({.code = Code::weighted_noise_assumed});
+  if (!by_sigma) note_unused_sigma(result, training);
   result.diagnostics.iterations = weighted.iterations;
   result.ending = std::move(weighted.ending);
   progress.update("weighted least squares", 1, 1);

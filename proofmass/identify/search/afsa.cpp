@@ -10,7 +10,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
-#include "proofmass/identify/model/ending_status.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/search/coefficient_space.hpp"
@@ -29,7 +29,7 @@ struct Distance {
   std::vector<double> coefficients;  // differences, one a term
 };
 
-FishSettings settings_of(const FishSwarmOptions& options) {
+FishSettings settings_of(const Afsa& options) {
   return {.iterations = options.iterations,
           .tries = options.tries,
           .visual = options.visual,
@@ -52,15 +52,15 @@ std::vector<std::vector<double>> random_school(std::size_t fish, std::size_t dim
   return school;
 }
 
-FishResult search(const CoefficientSpace& space, const IdentifyOptions& options, Progress& progress) {
-  const FishSettings settings = settings_of(options.fish);
+FishResult search(const CoefficientSpace& space, const Afsa& method, std::uint64_t seed, Progress& progress) {
+  const FishSettings settings = settings_of(method);
   const auto observe = [&](std::size_t iteration, double) {
     progress.update("fish swarm", iteration, settings.iterations);
     return !progress.cancelled();
   };
-  FishResult result = minimise_by_fish(
-      [&space](std::span<const double> position) { return space.rmse(position); },
-      random_school(options.fish.fish, space.dimensions(), options.seed), settings, options.seed, observe);
+  FishResult result =
+      minimise_by_fish([&space](std::span<const double> position) { return space.rmse(position); },
+                       random_school(method.fish, space.dimensions(), seed), settings, seed, observe);
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
   return result;
 }
@@ -105,23 +105,17 @@ Matrix mean_square_error(const LeastSquaresFit& best, const std::vector<double>&
   return result;
 }
 
-Ending ending_of(const FishResult& swarm) {
-  return {
-      .status = ending_status(swarm.termination.cause),
-      .reason = fmt::format("fish swarm: {}; {} evaluations", swarm.termination.reason, swarm.evaluations)};
+Ending ending_of_swarm(const FishResult& swarm) {
+  return ending_of(swarm.termination.cause, fmt::format("fish swarm: {}; {} evaluations",
+                                                        swarm.termination.reason, swarm.evaluations));
 }
 
-void add_notes(std::vector<std::string>& notes, const Distance& distance, const Dataset& training) {
-  notes.push_back(fmt::format(
-      "the search stays {:.2g} standard errors of least squares away from its solution in {} (the "
-      "farthest), with {:.6g} times its root mean square residual; ols reaches that solution directly",
-      distance.largest, name(distance.term), distance.rmse_ratio));
-  notes.emplace_back(
-      "standard errors are those of least squares (exact inputs, white output noise alike in every row) with "
-      "the search's distance from its solution added in quadrature; the search itself has none");
-  if (!training.output_sigma.empty()) {
-    notes.emplace_back("sigma_E is not used: the root mean square residual weighs all rows alike");
-  }
+void add_findings(Identification& result, const Distance& distance, const Dataset& training) {
+  result.findings.push_back({.code = Code::search_short_of_optimum,
+                             .terms = {distance.term},
+                             .figures = {{"distance", distance.largest}, {"ratio", distance.rmse_ratio}}});
+  result.findings.push_back({.code = Code::search_errors_added});
+  note_unused_sigma(result, training);
 }
 
 void add_history(Identification& result, const FishResult& swarm) {
@@ -135,12 +129,12 @@ void add_history(Identification& result, const FishResult& swarm) {
 
 }  // namespace
 
-Identification identify_afsa(const Dataset& training, const Dataset& /*validation*/,
-                             const IdentifyOptions& options, Progress& progress) {
+Identification fit(const Afsa& method, const Dataset& training, const IdentifyOptions& options,
+                   Progress& progress) {
   const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
   const Matrix design = design_matrix(training, found.identified);
-  const CoefficientSpace space(design, training.output, options.fish.coordinates);
-  const FishResult swarm = search(space, options, progress);
+  const CoefficientSpace space(design, training.output, method.coordinates);
+  const FishResult swarm = search(space, method, options.seed, progress);
   std::vector<double> coefficients = space.coefficients(swarm.best);
   const double rss = residual_sum_of_squares(design, coefficients, training.output);
 
@@ -151,13 +145,13 @@ Identification identify_afsa(const Dataset& training, const Dataset& /*validatio
                       .vif = best.vif};
   Identification result = make_identification("afsa", training, options, found, fit);
   add_residual_figures(result.diagnostics, training, rss, found.identified.size());
-  result.diagnostics.swarm_evaluations = swarm.evaluations;
   result.diagnostics.iterations = swarm.evaluations;
-  result.diagnostics.optimum_rmse_ratio = distance.rmse_ratio;
-  result.diagnostics.optimum_distance = distance.largest;
-  add_notes(result.diagnostics.notes, distance, training);
+  result.details = AfsaDetails{.swarm_evaluations = swarm.evaluations,
+                               .optimum_rmse_ratio = distance.rmse_ratio,
+                               .optimum_distance = distance.largest};
+  add_findings(result, distance, training);
   add_history(result, swarm);
-  result.ending = ending_of(swarm);
+  result.ending = ending_of_swarm(swarm);
   return result;
 }
 

@@ -5,29 +5,29 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <variant>
 
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/regression/ols.hpp"
 #include "proofmass/identify/search/coefficient_space.hpp"
+#include "support/findings.hpp"
 #include "support/twin.hpp"
 
 namespace proofmass {
 namespace {
 
-IdentifyOptions options_for(const char* terms) {
-  IdentifyOptions options;
-  options.terms = parse_terms(terms);
-  return options;
+IdentifyOptions options_for(const char* terms) { return {.terms = parse_terms(terms)}; }
+
+Identification fitted(const Dataset& record, const IdentifyOptions& options, const Afsa& method = {}) {
+  SilentProgress progress;
+  return fit(method, record, options, progress);
 }
 
-Identification identify(const Dataset& record, const IdentifyOptions& options) {
-  SilentProgress progress;
-  return identify_afsa(record, {}, options, progress);
-}
+const AfsaDetails& details_of(const Identification& result) { return std::get<AfsaDetails>(result.details); }
 
 Identification least_squares(const Dataset& record, const IdentifyOptions& options) {
   SilentProgress progress;
-  return identify_ols(record, {}, options, progress);
+  return fit(Ols{}, record, options, progress);
 }
 
 double farthest(const Identification& found, const Identification& best) {
@@ -45,9 +45,9 @@ TEST(Afsa, ReachesLeastSquaresOnAllTermsFromAnySeed) {
   const Identification best = least_squares(record, options);
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
     options.seed = seed;
-    const Identification found = identify(record, options);
+    const Identification found = fitted(record, options);
     EXPECT_LT(farthest(found, best), 0.01) << seed;
-    EXPECT_LT(found.diagnostics.optimum_rmse_ratio.value(), 1.0 + 1e-6) << seed;
+    EXPECT_LT(details_of(found).optimum_rmse_ratio, 1.0 + 1e-6) << seed;
   }
 }
 
@@ -55,17 +55,18 @@ TEST(Afsa, ReachesLeastSquaresOnAllTermsFromAnySeed) {
 // matters is that the result says so, and by how much.
 TEST(Afsa, SaysHowFarItStaysWhenItStaysFar) {
   const Dataset record = test::make_twin({.rows = 400, .noise = 1e-5});
-  IdentifyOptions options = options_for("paper");
-  options.fish.coordinates = FishCoordinates::columns;
+  const IdentifyOptions options = options_for("paper");
   const Identification best = least_squares(record, options);
-  const Identification found = identify(record, options);
+  const Identification found =
+      fitted(record, options, {.target = {}, .coordinates = FishCoordinates::columns});
   const double distance = farthest(found, best);
   EXPECT_GT(distance, 1.0);
-  EXPECT_NEAR(found.diagnostics.optimum_distance.value(), distance, 1e-6 * distance);
-  EXPECT_NEAR(found.diagnostics.optimum_rmse_ratio.value(),
+  EXPECT_NEAR(details_of(found).optimum_distance, distance, 1e-6 * distance);
+  EXPECT_NEAR(details_of(found).optimum_rmse_ratio,
               found.diagnostics.residual_sd.value() / best.diagnostics.residual_sd.value(), 1e-9 * distance);
-  EXPECT_THAT(found.diagnostics.notes,
-              testing::Contains(testing::HasSubstr("standard errors of least squares")));
+  EXPECT_EQ(test::number(test::finding_of(found, Code::search_short_of_optimum), "distance"),
+            details_of(found).optimum_distance);
+  EXPECT_TRUE(test::has(found, Code::search_errors_added));
   for (std::size_t k = 0; k < best.coefficients.size(); ++k) {
     const Coefficient& c = found.coefficients[k];
     const double ols = best.coefficients[k].standard_error.value();
@@ -76,9 +77,7 @@ TEST(Afsa, SaysHowFarItStaysWhenItStaysFar) {
 }
 
 TEST(Afsa, EndsAtTheTargetAskedFor) {
-  IdentifyOptions options = options_for("linear");
-  options.fish.target = 0.1;
-  const Identification found = identify(test::make_twin(), options);
+  const Identification found = fitted(test::make_twin(), options_for("linear"), {.target = 0.1});
   EXPECT_EQ(found.ending.status, EndingStatus::target_reached);
   EXPECT_THAT(found.ending.reason, testing::HasSubstr("0.1"));
 }

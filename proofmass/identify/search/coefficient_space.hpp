@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/search/afsa.hpp"
 #include "proofmass/numeric/matrix.hpp"
 
 namespace proofmass {

@@ -37,8 +37,8 @@ double rounding_floor(const std::vector<double>& output) {
          static_cast<double>(output.size());
 }
 
-SubsetSearchResult choose(const SubsetCriterion& criterion, const Dataset& training,
-                          const GmdhOptions& options, Progress& progress) {
+SubsetSearchResult choose(const SubsetCriterion& criterion, const Dataset& training, const Gmdh& options,
+                          Progress& progress) {
   const SubsetSearchSettings settings{.beam = options.beam,
                                       .models = options.models,
                                       .tolerance = std::pow(1.0 + options.tolerance, 2) - 1.0,
@@ -49,6 +49,18 @@ SubsetSearchResult choose(const SubsetCriterion& criterion, const Dataset& train
   });
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted in the search for terms");
   return found;
+}
+
+// Terms that cannot be judged are not left out either: they may be the largest.
+void require_judgeable(const SubsetCriterion& criterion, const Dataset& training) {
+  const auto all = static_cast<Subset>((std::uint64_t{1} << criterion.columns()) - 1);
+  if (std::isfinite(criterion.value(all))) return;
+  throw refusal(
+      fmt::format("{}: leaving one row out cannot judge terms that one row alone identifies (its leverage is "
+                  "1); measure "
+                  "such positions again, ask for fewer terms, or use ols, which does not choose terms",
+                  training.source),
+      {{"terms", ""}, {"method", "ols"}});
 }
 
 TermList chosen_terms(const TermList& candidates, Subset subset) {
@@ -88,19 +100,17 @@ Curve criterion_curve(const SubsetSearchResult& found) {
   return curve;
 }
 
-void add_notes(Identification& result, const GmdhRows& rows, const SubsetSearchResult& found,
-               const TermList& candidates, const TermList& chosen) {
-  auto& notes = result.diagnostics.notes;
-  notes.push_back(fmt::format("{} of {} terms chosen by {} (root mean square {:.6g} {}): {}", chosen.size(),
-                              candidates.size(), rows.name(), std::sqrt(found.value),
-                              result.output_unit.canonical_symbol(), join_names(chosen)));
-  notes.emplace_back(
-      "coefficients are those of ordinary least squares with the chosen terms on all training rows; their "
-      "standard errors take the choice as given, so they leave out its uncertainty, and a left-out "
-      "coefficient is small, not known to be zero");
-  notes.emplace_back(
-      "standard errors assume exact inputs and output noise that is white with the same variance in every "
-      "row");
+void add_findings(Identification& result, const GmdhRows& rows, const SubsetSearchResult& found,
+                  std::size_t candidates, const TermList& chosen) {
+  result.findings.push_back({.code = Code::terms_chosen,
+                             .terms = chosen,
+                             .figures = {{"count", chosen.size()},
+                                         {"total", candidates},
+                                         {"criterion", rows.name()},
+                                         {"value", std::sqrt(found.value)},
+                                         {"unit", result.output_unit.canonical_symbol()}}});
+  result.findings.push_back({.code = Code::choice_taken_as_given});
+  result.findings.push_back({.code = Code::white_noise_assumed});
 }
 
 std::string ending_reason(const SubsetSearchResult& found, std::size_t candidates) {
@@ -112,13 +122,14 @@ std::string ending_reason(const SubsetSearchResult& found, std::size_t candidate
 
 }  // namespace
 
-Identification identify_gmdh_combi(const Dataset& training, const IdentifyOptions& options,
-                                   Progress& progress) {
+Identification identify_gmdh_combi(const Gmdh& method, const Dataset& training,
+                                   const IdentifyOptions& options, Progress& progress) {
   const TermSums sums(training, options.terms);
   const Identifiability all = require_identifiable(sums, options.on_rank_loss);
-  const GmdhRows rows(training, all.identified, options.gmdh, options.seed);
+  const GmdhRows rows(training, all.identified, method, options.seed);
   const auto criterion = rows.criterion(scaled_design(training, all.identified), training.output);
-  const SubsetSearchResult found = choose(*criterion, training, options.gmdh, progress);
+  require_judgeable(*criterion, training);
+  const SubsetSearchResult found = choose(*criterion, training, method, progress);
 
   const TermList chosen = chosen_terms(all.identified, found.best);
   Identifiability kept = analyse_identifiability(sums, chosen);
@@ -127,8 +138,8 @@ Identification identify_gmdh_combi(const Dataset& training, const IdentifyOption
   Identification result = make_identification("gmdh", training, options, kept, refit(solution));
   explain_left_out(result, all.identified, *criterion, found);
   add_residual_figures(result.diagnostics, training, solution.rss, chosen.size());
-  add_notes(result, rows, found, all.identified, chosen);
-  result.diagnostics.models_tried = found.evaluations;
+  add_findings(result, rows, found, all.identified.size(), chosen);
+  result.details = GmdhDetails{.models_tried = found.evaluations};
   result.diagnostics.iterations = found.evaluations;
   result.history.push_back(criterion_curve(found));
   result.ending = {.status = found.proven ? EndingStatus::converged : EndingStatus::iteration_limit,

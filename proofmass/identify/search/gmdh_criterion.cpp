@@ -28,30 +28,33 @@ Part select(const Matrix& design, std::span<const double> y, std::span<const std
   return part;
 }
 
-constexpr const char* kRemedy = "; criterion press needs no such division";
+constexpr const char* kAdvice = "; criterion press needs no such division";
+
+std::vector<Remedy> press() { return {{"gmdh-criterion", "press"}}; }
 
 void require_usable(const Dataset& training, const TermList& terms, std::span<const std::size_t> rows) {
   if (rows.size() <= terms.size()) {
     throw bad_data({.file = training.source, .row = 0, .column = ""}, fmt::format("{} rows", rows.size()),
                    fmt::format("at least {} in each part that the criterion divides the training rows into{}",
-                               terms.size() + 1, kRemedy));
+                               terms.size() + 1, kAdvice),
+                   press());
   }
   const Identifiability part = analyse_identifiability(training.select(rows), terms);
   if (part.lost.empty()) return;
   throw refusal(fmt::format("a part of {} rows, which the criterion sets apart, cannot identify {}: {}{}",
-                            rows.size(), name(part.lost.front().term), part.lost.front().reason, kRemedy));
+                            rows.size(), name(part.lost.front().term), part.lost.front().reason, kAdvice),
+                press());
 }
 
 }  // namespace
 
-GmdhRows::GmdhRows(const Dataset& training, const TermList& terms, const GmdhOptions& options,
-                   std::uint64_t seed)
+GmdhRows::GmdhRows(const Dataset& training, const TermList& terms, const Gmdh& options, std::uint64_t seed)
     : kind_(options.criterion), rows_(training.rows()) {
   if (kind_ == GmdhCriterion::press) return;
-  const double share = kind_ == GmdhCriterion::unbiasedness ? 0.5 : options.checking_share;
+  const double fraction = kind_ == GmdhCriterion::unbiasedness ? 0.5 : options.checking_fraction;
   RandomStream random(seed, stream_id("gmdh rows"));
   first_ = random_permutation(rows_, random);
-  const auto checking = static_cast<std::ptrdiff_t>(std::llround(share * static_cast<double>(rows_)));
+  const auto checking = static_cast<std::ptrdiff_t>(std::llround(fraction * static_cast<double>(rows_)));
   second_.assign(first_.begin(), first_.begin() + checking);
   first_.erase(first_.begin(), first_.begin() + checking);
   for (auto* rows : {&first_, &second_}) {

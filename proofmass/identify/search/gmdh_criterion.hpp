@@ -11,7 +11,7 @@
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/term.hpp"
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/search/gmdh.hpp"
 #include "proofmass/numeric/matrix.hpp"
 #include "proofmass/numeric/selection/subset_criterion.hpp"
 
@@ -21,7 +21,7 @@ class GmdhRows {
  public:
   // Divides the training rows at random, by seed and number of rows alone, as the criterion needs. Throws bad
   // data when a part has too few rows for the terms, and a refusal when a part cannot tell them apart.
-  GmdhRows(const Dataset& training, const TermList& terms, const GmdhOptions& options, std::uint64_t seed);
+  GmdhRows(const Dataset& training, const TermList& terms, const Gmdh& options, std::uint64_t seed);
 
   // Columns of the design should have lengths alike.
   [[nodiscard]] std::unique_ptr<SubsetCriterion> criterion(const Matrix& design,

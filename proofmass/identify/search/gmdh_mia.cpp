@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/identify/model/ending_status.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/search/gmdh_criterion.hpp"
@@ -77,35 +75,32 @@ double rms_difference(const Dataset& training, const StaticModel& model, const s
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-void add_expansion_notes(Identification& result, const Dataset& training, const QuadraticLayers& network,
-                         const StaticModel& model, const StaticModel& every_term) {
-  auto& notes = result.diagnostics.notes;
+void add_expansion_findings(Identification& result, const Dataset& training, const QuadraticLayers& network,
+                            const StaticModel& model, const StaticModel& every_term) {
   const std::string unit = result.output_unit.canonical_symbol();
   const double by_network = rms_difference(training, {}, [&] {
     std::vector<double> residuals = training.output;
     for (std::size_t r = 0; r < residuals.size(); ++r) residuals[r] -= network.best.values[r];
     return residuals;
   }());
-  notes.push_back(fmt::format(
-      "over the training rows the network errs by {:.4g} {} (rms), its expansion into the terms asked for, "
-      "which is what predicts, by {:.4g} {}",
-      by_network, unit, rms_difference(training, model, training.output), unit));
-  notes.push_back(
-      fmt::format("outside the 21 terms the network holds {:.4g} {} (rms over the training rows), outside "
-                  "the terms asked for {:.4g} {}",
-                  rms_difference(training, every_term, network.best.values), unit,
-                  rms_difference(training, model, network.best.values), unit));
-  notes.emplace_back("coefficients out of a network of quadratics have no standard errors: form combi has");
+  result.findings.push_back({.code = Code::layers_expanded,
+                             .figures = {{"network", by_network},
+                                         {"expansion", rms_difference(training, model, training.output)},
+                                         {"unit", unit}}});
+  result.findings.push_back(
+      {.code = Code::layers_beyond_terms,
+       .figures = {{"beyond_all", rms_difference(training, every_term, network.best.values)},
+                   {"beyond_asked", rms_difference(training, model, network.best.values)},
+                   {"unit", unit}}});
+  result.findings.push_back({.code = Code::layers_without_errors});
   if (network.discarded > 0) {
-    notes.push_back(
-        fmt::format("{} pairs of inputs gave no neuron, for the rows cannot tell apart the six "
-                    "regressors; {} did",
-                    network.discarded, network.neurons));
+    result.findings.push_back({.code = Code::pairs_discarded,
+                               .figures = {{"count", network.discarded}, {"total", network.neurons}}});
   }
 }
 
 QuadraticLayers grow(const Dataset& training, const std::vector<PolynomialNode>& inputs, const GmdhRows& rows,
-                     const GmdhOptions& options, Progress& progress) {
+                     const Gmdh& options, Progress& progress) {
   const QuadraticLayerSettings settings{.layers = options.layers,
                                         .survivors = options.survivors,
                                         .inputs_in_every_layer = options.inputs_in_every_layer,
@@ -124,37 +119,40 @@ QuadraticLayers grow(const Dataset& training, const std::vector<PolynomialNode>&
   if (network.layer == 0) {
     throw refusal(
         "no quadratic neuron can be fitted: the rows cannot tell apart 1, u, v, u*v, u^2 and v^2 "
-        "of any two inputs; form combi may do");
+        "of any two inputs, or one row alone identifies one of these, so that leaving it out cannot judge "
+        "it; "
+        "form combi may do");
   }
   return network;
 }
 
 }  // namespace
 
-Identification identify_gmdh_mia(const Dataset& training, const IdentifyOptions& options,
+Identification identify_gmdh_mia(const Gmdh& method, const Dataset& training, const IdentifyOptions& options,
                                  Progress& progress) {
   const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
-  const GmdhRows rows(training, found.identified, options.gmdh, options.seed);
+  const GmdhRows rows(training, found.identified, method, options.seed);
   const Scales scales = scales_of(training);
   const std::vector<PolynomialNode> inputs = make_inputs(training, found.identified, scales);
-  const QuadraticLayers network = grow(training, inputs, rows, options.gmdh, progress);
+  const QuadraticLayers network = grow(training, inputs, rows, method, progress);
 
   const StaticModel model = expanded(network.best.jet, found.identified, scales);
   Identification result = make_identification(
       "gmdh", training, options, found, {.coefficients = model.coefficients, .covariance = {}, .vif = {}});
-  result.diagnostics.notes.push_back(fmt::format(
-      "a network of quadratic neurons from {} inputs, the best of layer {}, chosen by {} (root mean square "
-      "{:.6g} {})",
-      inputs.size(), network.layer, rows.name(), std::sqrt(network.value),
-      result.output_unit.canonical_symbol()));
+  result.findings.push_back({.code = Code::layers_grown,
+                             .figures = {{"inputs", inputs.size()},
+                                         {"layer", network.layer},
+                                         {"criterion", rows.name()},
+                                         {"value", std::sqrt(network.value)},
+                                         {"unit", result.output_unit.canonical_symbol()}}});
   const StaticModel every_term = expanded(network.best.jet, parse_terms("full"), scales);
-  add_expansion_notes(result, training, network, model, every_term);
-  result.diagnostics.models_tried = network.neurons;
+  add_expansion_findings(result, training, network, model, every_term);
+  result.details = GmdhDetails{.models_tried = network.neurons};
   result.diagnostics.iterations = network.neurons;
   Curve curve{.name = "criterion_by_layer", .values = {}};
   for (const double value : network.value_of_layer) curve.values.push_back(std::sqrt(value));
   result.history.push_back(std::move(curve));
-  result.ending = {.status = ending_status(network.termination.cause), .reason = network.termination.reason};
+  result.ending = ending_of(network.termination);
   return result;
 }
 

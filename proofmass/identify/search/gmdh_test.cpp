@@ -8,29 +8,23 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/regression/ols.hpp"
+#include "support/findings.hpp"
 #include "support/twin.hpp"
 
 namespace proofmass {
 namespace {
 
-using testing::Contains;
 using testing::HasSubstr;
 
-IdentifyOptions options_for(const char* terms, const GmdhOptions& gmdh = {}) {
-  IdentifyOptions options;
-  options.terms = parse_terms(terms);
-  options.gmdh = gmdh;
-  return options;
-}
-
-Identification fit(const Dataset& record, const IdentifyOptions& options) {
+Identification fitted(const Dataset& record, const char* terms, const Gmdh& method = {}) {
   SilentProgress progress;
-  return identify_gmdh(record, {}, options, progress);
+  return fit(method, record, {.terms = parse_terms(terms)}, progress);
 }
 
-void expect_error(const Dataset& record, const IdentifyOptions& options, ErrorKind kind, const char* text) {
+void expect_error(const Dataset& record, const char* terms, const Gmdh& method, ErrorKind kind,
+                  const char* text) {
   try {
-    (void)fit(record, options);
+    (void)fitted(record, terms, method);
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), kind);
@@ -46,7 +40,7 @@ TEST(GmdhCombi, WithoutNoiseExactlyTheTrueTerms) {
     for (const auto criterion :
          {GmdhCriterion::press, GmdhCriterion::regularity, GmdhCriterion::unbiasedness}) {
       const Identification result =
-          fit(test::make_twin({.noise = 0.0}, truth), options_for("full", {.criterion = criterion}));
+          fitted(test::make_twin({.noise = 0.0}, truth), "full", {.criterion = criterion});
       EXPECT_EQ(result.static_model().terms, truth.terms) << terms;
       for (const Term term : truth.terms)
         EXPECT_NEAR(result.static_model().coefficient(term), truth.coefficient(term), 1e-13);
@@ -61,7 +55,7 @@ TEST(GmdhCombi, TrueTermsAllAndFalseOnesFew) {
   std::size_t false_terms = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Dataset record = test::make_twin({.rows = 1400, .noise = 1e-5, .seed = seed});
-    const Identification result = fit(record, options_for("full"));
+    const Identification result = fitted(record, "full");
     EXPECT_EQ(result.ending.status, EndingStatus::converged) << result.ending.reason;
     for (const Coefficient& c : result.coefficients) {
       const bool real = truth.coefficient(c.term) != 0.0;
@@ -76,17 +70,15 @@ TEST(GmdhCombi, TrueTermsAllAndFalseOnesFew) {
 
 TEST(GmdhCombi, IsLeastSquaresOnTheTermsItChose) {
   const Dataset record = test::make_twin();
-  const Identification result = fit(record, options_for("full"));
+  const Identification result = fitted(record, "full");
   const StaticModel model = result.static_model();
   EXPECT_LT(model.terms.size(), 21U);
-  IdentifyOptions again;
-  again.terms = model.terms;
   SilentProgress progress;
-  const Identification ols = identify_ols(record, {}, again, progress);
+  const Identification ols = fit(Ols{}, record, {.terms = model.terms}, progress);
   EXPECT_EQ(model.coefficients, ols.static_model().coefficients);
   EXPECT_EQ(result.covariance, ols.covariance);
   EXPECT_EQ(result.diagnostics.residual_sd, ols.diagnostics.residual_sd);
-  EXPECT_THAT(result.diagnostics.notes, Contains(HasSubstr("take the choice as given")));
+  EXPECT_TRUE(test::has(result, Code::choice_taken_as_given));
   for (const Coefficient& c : result.coefficients) {
     EXPECT_EQ(c.identified, model.coefficient(c.term) != 0.0);
     EXPECT_THAT(c.reason, HasSubstr(c.identified ? "" : "left out by the search"));
@@ -97,22 +89,47 @@ TEST(GmdhCombi, IsLeastSquaresOnTheTermsItChose) {
 
 TEST(GmdhCombi, SaysWhenTheSearchWasNotExhaustive) {
   const Identification result =
-      fit(test::make_twin(), options_for("full", {.criterion = GmdhCriterion::unbiasedness, .models = 50}));
+      fitted(test::make_twin(), "full", {.criterion = GmdhCriterion::unbiasedness, .models = 50});
   EXPECT_EQ(result.ending.status, EndingStatus::iteration_limit);
   EXPECT_THAT(result.ending.reason, HasSubstr("not exhaustive"));
 }
 
 TEST(Gmdh, RefusesPartsThatCannotServe) {
   const Dataset record = test::make_twin({.rows = 30});
-  expect_error(record, options_for("paper", {.criterion = GmdhCriterion::unbiasedness}), ErrorKind::bad_data,
+  expect_error(record, "paper", {.criterion = GmdhCriterion::unbiasedness}, ErrorKind::bad_data,
                "at least 16 in each part");
-  expect_error(record, options_for("paper", {.criterion = GmdhCriterion::regularity, .checking_share = 1.0}),
-               ErrorKind::usage, "checking share");
+  expect_error(record, "paper", {.criterion = GmdhCriterion::regularity, .checking_fraction = 1.0},
+               ErrorKind::usage, "gmdh-checking-fraction");
   Dataset lopsided = test::make_twin({.rows = 60});
   for (std::size_t r = 1; r < 60; ++r) lopsided.acceleration[1][r] = 0.0;
-  expect_error(lopsided, options_for("linear", {.criterion = GmdhCriterion::unbiasedness}),
-               ErrorKind::refused, "criterion press needs no such division");
-  expect_error(record, options_for("K0,Ki,Kii", {.form = GmdhForm::mia}), ErrorKind::refused, "form combi");
+  expect_error(lopsided, "linear", {.criterion = GmdhCriterion::unbiasedness}, ErrorKind::refused,
+               "criterion press needs no such division");
+  expect_error(record, "K0,Ki,Kii", {.form = GmdhForm::mia}, ErrorKind::refused, "form combi");
+}
+
+// Each axis is seen in one row alone, whose leverage is then 1.
+Dataset axes_seen_once() {
+  Dataset record;
+  record.source = "four";
+  record.acceleration = {
+      std::vector<double>{1.0, 0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 1.0, 0.0, 0.0}};
+  record.output = {1.00012, 0.00031, -0.00012, 0.00002, 0.00001};
+  return record;
+}
+
+TEST(Gmdh, RefusesTermsThatOneRowAloneIdentifies) {
+  for (const char* terms : {"Ki,Ko,Kp", "Ki", "K0,Ki,Ko,Kp"}) {
+    expect_error(axes_seen_once(), terms, {}, ErrorKind::refused, "one row alone identifies");
+  }
+  expect_error(axes_seen_once(), "K0,Ki,Ko,Kp", {.form = GmdhForm::mia}, ErrorKind::refused, "form combi");
+}
+
+TEST(GmdhCombi, DoesNotSilentlyLeaveOutWhatItCannotJudge) {
+  Dataset record = test::make_twin();
+  record.acceleration[1].assign(record.rows(), 0.0);
+  record.acceleration[1][7] = 5.0;
+  expect_error(record, "K0,Ki,Ko", {}, ErrorKind::refused, "one row alone identifies");
+  EXPECT_TRUE(fitted(record, "K0,Ki").coefficients[1].identified);
 }
 
 // Products of two axes and squares are what one neuron can do, so a truth of these must come out exactly.
@@ -120,7 +137,7 @@ TEST(GmdhMia, ExpandsToTheTruthWhereNeuronsCanHoldIt) {
   const StaticModel truth{.terms = {Term::K0, Term::Ki, Term::Kii, Term::Kio, Term::Ko, Term::Koo},
                           .coefficients = {1e-5, 0.99, 2e-5, 3e-5, -4e-5, 5e-6}};
   const Identification result =
-      fit(test::make_twin({.noise = 0.0}, truth), options_for("full", {.form = GmdhForm::mia}));
+      fitted(test::make_twin({.noise = 0.0}, truth), "full", {.form = GmdhForm::mia});
   for (const Coefficient& c : result.coefficients)
     EXPECT_NEAR(c.value, truth.coefficient(c.term), 1e-12) << name(c.term);
 }
@@ -128,14 +145,14 @@ TEST(GmdhMia, ExpandsToTheTruthWhereNeuronsCanHoldIt) {
 TEST(GmdhMia, SeesTheOddQuadraticTermAsAnInput) {
   const StaticModel truth{.terms = {Term::K0, Term::Ki, Term::Koq}, .coefficients = {1e-5, 0.99, 7e-5}};
   const Identification result =
-      fit(test::make_twin({.noise = 0.0}, truth), options_for("full", {.form = GmdhForm::mia}));
+      fitted(test::make_twin({.noise = 0.0}, truth), "full", {.form = GmdhForm::mia});
   EXPECT_NEAR(result.static_model().coefficient(Term::Koq), 7e-5, 1e-12);
   EXPECT_NEAR(result.static_model().coefficient(Term::Kii), 0.0, 1e-12);
 }
 
 TEST(GmdhMia, ReportsWhatFallsOutsideAndClaimsNoStandardErrors) {
-  const Identification result = fit(test::make_twin(), options_for("full", {.form = GmdhForm::mia}));
-  EXPECT_THAT(result.diagnostics.notes, Contains(HasSubstr("outside the 21 terms")));
+  const Identification result = fitted(test::make_twin(), "full", {.form = GmdhForm::mia});
+  EXPECT_TRUE(test::has(result, Code::layers_beyond_terms));
   EXPECT_FALSE(result.coefficients[1].standard_error.has_value());
   EXPECT_TRUE(result.covariance.empty());
   EXPECT_NEAR(result.coefficients[1].value, 0.999979, 1e-2);

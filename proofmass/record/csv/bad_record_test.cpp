@@ -155,14 +155,12 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 TEST(BadFiles, MissingFile) {
-  EXPECT_EQ(message_of("/no/such/run.csv"),
-            "/no/such/run.csv: found 'No such file or directory', expected a readable record (a CSV file)");
+  EXPECT_EQ(message_of("/no/such/run.csv"), "cannot open /no/such/run.csv: no such file or directory");
 }
 
 TEST(BadFiles, Directory) {
   const test::TemporaryFolder folder;
-  EXPECT_EQ(message_of(folder.path()),
-            folder.path().string() + ": found 'Is a directory', expected a readable record (a CSV file)");
+  EXPECT_EQ(message_of(folder.path()), "cannot open " + folder.path().string() + ": is a directory");
 }
 
 TEST(BadFiles, FileThatCannotBeRead) {

@@ -25,10 +25,10 @@ Error unreadable(const std::string& name, int os_error) {
 std::FILE* open(const std::filesystem::path& path, const std::string& name) {
   if (path == "-") return stdin;
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw unreadable(name, EISDIR);
+  if (std::filesystem::is_directory(path, ignored)) throw cannot_open(name, EISDIR);
   errno = 0;
   std::FILE* const file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) throw unreadable(name, errno);
+  if (file == nullptr) throw cannot_open(name, errno);
   return file;
 }
 

@@ -5,8 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "proofmass/report/json/findings_internal.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/json/layout.hpp"
+#include "proofmass/report/text/en.hpp"
 
 namespace proofmass {
 namespace {
@@ -50,21 +52,27 @@ Json json_of(const Contestant& contestant, const Contestant& reference) {
   json["ratios"] = json_of(ratios_to(reference, contestant));
   if (contestant.truth) json["truth"] = json_of(*contestant.truth);
   json["runs"] = Json::array();
-  for (const Identification& run : contestant.runs) json["runs"].push_back(Json::parse(to_json(run)));
+  for (const Run& run : contestant.runs) json["runs"].push_back(Json::parse(to_json(run)));
   return json;
 }
 
 }  // namespace
 
 std::string to_json(const Comparison& comparison) {
-  Json json{
-      {"schema", "proofmass.comparison/1"}, {"input", comparison.input},          {"seed", comparison.seed},
-      {"repeats", comparison.repeats},      {"split", comparison.training_share}, {"methods", Json::array()}};
+  Json json{{"schema", "proofmass.comparison/1"},
+            {"input", comparison.input},
+            {"seed", comparison.seed},
+            {"repeats", comparison.repeats},
+            {"split", comparison.training_fraction},
+            {"methods", Json::array()}};
   for (const Contestant& contestant : comparison.contestants) {
     json["methods"].push_back(json_of(contestant, comparison.contestants.front()));
   }
-  if (!comparison.notes.empty()) json["notes"] = comparison.notes;
-  return json_layout(json.dump());
+  if (!comparison.findings.empty()) {
+    json["findings"] = json_of(std::span(comparison.findings));
+    for (const Finding& finding : comparison.findings) json["notes"].push_back(english(finding));
+  }
+  return json_layout(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace proofmass

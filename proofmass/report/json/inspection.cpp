@@ -43,8 +43,9 @@ Json json_of(const Unidentifiable& lost) {
 Json json_of(const PresetVerdict& preset) {
   Json json{{"model", preset.name}, {"terms", preset.terms}, {"rows_needed", preset.rows_needed}};
   json["identified"] = names_of(preset.found.identified);
-  json["lost"] = Json::array();
-  for (const Unidentifiable& lost : preset.found.lost) json["lost"].push_back(json_of(lost));
+  json["unidentifiable"] = Json::array();
+  for (const Unidentifiable& lost : preset.found.lost) json["unidentifiable"].push_back(json_of(lost));
+  json["lost"] = json["unidentifiable"];  // the name of 0.1.0
   const auto add = [&json](const char* key, double value) {
     if (std::isfinite(value)) json[key] = value;
   };

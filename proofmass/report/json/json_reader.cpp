@@ -9,6 +9,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/files/text_file.hpp"
+#include "proofmass/report/json/findings_internal.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/json/node_internal.hpp"
 #include "proofmass/report/json/parts_internal.hpp"
@@ -73,6 +74,7 @@ std::optional<Metrics> metrics_of(const JsonNode& parts, const std::string& part
                  .mse = node->at("mse").number(),
                  .rmse = node->at("rmse").number(),
                  .mape_percent = optional_number(*node, "mape_percent"),
+                 .mape_rows = optional_count(*node, "mape_rows").value_or(0),
                  .r2 = optional_number(*node, "r2")};
 }
 
@@ -101,6 +103,16 @@ std::vector<Curve> history_of(const JsonNode& node) {
   return curves;
 }
 
+// Before 0.2 a result had sentences alone.
+std::vector<Finding> all_findings_of(const JsonNode& root) {
+  if (const auto findings = root.find("findings")) return findings_of(*findings);
+  std::vector<Finding> findings;
+  for (const JsonNode& note : root.at("diagnostics").at("notes").items()) {
+    findings.push_back({.code = Code::verbatim, .figures = {{"text", note.text()}}});
+  }
+  return findings;
+}
+
 Provenance provenance_of(const JsonNode& node) {
   Provenance provenance{.version = node.at("version").text(),
                         .input = node.at("input").text(),
@@ -117,7 +129,7 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of a result
 
 }  // namespace
 
-Identification parse_result(std::string_view text, const std::string& source) {
+Run parse_result(std::string_view text, const std::string& source) {
   JsonNode::Json json;
   try {
     json = JsonNode::Json::parse(text.begin(), text.end());
@@ -135,6 +147,7 @@ Identification parse_result(std::string_view text, const std::string& source) {
                         .seed = root.at("seed").count(),
                         .output_unit = unit_of(root.at("units").at("output")),
                         .coefficients = coefficients_of(root.at("coefficients")),
+                        .input_range = {},
                         .covariance = {},
                         .network = std::nullopt,
                         .train = metrics_of(root.at("metrics"), "train"),
@@ -143,17 +156,26 @@ Identification parse_result(std::string_view text, const std::string& source) {
                         .ending = ending_of(root.at("ending")),
                         .history = history_of(root.at("history")),
                         .diagnostics = diagnostics_of(root.at("diagnostics")),
-                        .provenance = provenance_of(root.at("provenance"))};
+                        .details = details_of(root.at("diagnostics")),
+                        .findings = all_findings_of(root)};
+  if (const auto ranges = root.find("input_range")) {
+    for (const Axis axis : kAxes) {
+      if (const auto range = ranges->find(std::string(axis_name(axis)))) {
+        result.input_range.emplace_back(axis, interval_of(*range));
+      }
+    }
+  }
   if (const auto network = root.find("network")) result.network = network_of(*network);
   if (const auto covariance = root.find("covariance")) {
     const auto identified = std::count_if(result.coefficients.begin(), result.coefficients.end(),
                                           [](const Coefficient& c) { return c.identified; });
     result.covariance = covariance_of(*covariance, static_cast<std::size_t>(identified));
   }
-  return result;
+  return {
+      .split = {}, .identification = std::move(result), .provenance = provenance_of(root.at("provenance"))};
 }
 
-Identification read_result(const std::filesystem::path& path) {
+Run read_result(const std::filesystem::path& path) {
   return parse_result(read_text_file(path, "a result file that can be read", kMostBytes),
                       path == "-" ? "standard input" : path.string());
 }

@@ -4,14 +4,20 @@
 #include <optional>
 #include <span>
 
+#include "proofmass/report/json/findings_internal.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/json/layout.hpp"
 #include "proofmass/report/readable_units.hpp"
+#include "proofmass/report/text/en.hpp"
 
 namespace proofmass {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+void set(Json& object, const char* key, double value) {
+  if (std::isfinite(value)) object[key] = value;
+}
 
 void set(Json& object, const char* key, const std::optional<double>& value) {
   if (value && std::isfinite(*value)) object[key] = *value;
@@ -48,6 +54,7 @@ Json json_of(std::span<const Coefficient> coefficients, const Unit& output) {
 Json json_of(const Metrics& metrics) {
   Json json{{"n", metrics.n}, {"mae", metrics.mae}, {"mse", metrics.mse}, {"rmse", metrics.rmse}};
   set(json, "mape_percent", metrics.mape_percent);
+  json["mape_rows"] = metrics.mape_rows;
   set(json, "r2", metrics.r2);
   return json;
 }
@@ -81,25 +88,42 @@ Json json_of(const HiddenTrial& trial) {
           {"chosen", trial.chosen}};
 }
 
-Json json_of(const Diagnostics& diagnostics) {
+void add(Json&, const std::monostate&) {}
+
+void add(Json& json, const NetworkDetails& details) {
+  set(json, "saturated_share", details.saturated_fraction);  // the name of 0.1.0
+  set(json, "saturated_fraction", details.saturated_fraction);
+  set(json, "induced_deviation", details.induced_deviation);
+  json["training_epochs"] = details.training_epochs;
+  set(json, "swarm_evaluations", details.swarm_evaluations);
+  for (const HiddenTrial& trial : details.hidden_search) json["hidden_search"].push_back(json_of(trial));
+}
+
+void add(Json& json, const RobustDetails& details) {
+  set(json, "robust_scale", details.scale);
+  for (const SuspectRow& suspect : details.suspect_rows) json["suspect_rows"].push_back(json_of(suspect));
+}
+
+void add(Json& json, const GmdhDetails& details) { json["models_tried"] = details.models_tried; }
+
+void add(Json& json, const AfsaDetails& details) {
+  json["swarm_evaluations"] = details.swarm_evaluations;
+  set(json, "optimum_rmse_ratio", details.optimum_rmse_ratio);
+  set(json, "optimum_distance", details.optimum_distance);
+}
+
+Json diagnostics_of(const Identification& result) {
+  const Diagnostics& diagnostics = result.diagnostics;
   Json json = Json::object();
   set(json, "residual_sd", diagnostics.residual_sd);
   set(json, "dof", diagnostics.dof);
   set(json, "r2_adjusted", diagnostics.r2_adjusted);
   set(json, "condition_raw", diagnostics.condition_raw);
   set(json, "condition_scaled", diagnostics.condition_scaled);
-  set(json, "saturated_share", diagnostics.saturated_share);
-  set(json, "induced_deviation", diagnostics.induced_deviation);
   set(json, "iterations", diagnostics.iterations);
-  set(json, "training_epochs", diagnostics.training_epochs);
-  set(json, "swarm_evaluations", diagnostics.swarm_evaluations);
-  set(json, "models_tried", diagnostics.models_tried);
-  for (const HiddenTrial& trial : diagnostics.hidden_search) json["hidden_search"].push_back(json_of(trial));
-  set(json, "robust_scale", diagnostics.robust_scale);
-  for (const SuspectRow& suspect : diagnostics.suspect_rows) json["suspect_rows"].push_back(json_of(suspect));
-  set(json, "optimum_rmse_ratio", diagnostics.optimum_rmse_ratio);
-  set(json, "optimum_distance", diagnostics.optimum_distance);
-  json["notes"] = diagnostics.notes;
+  std::visit([&json](const auto& details) { add(json, details); }, result.details);
+  json["notes"] = Json::array();
+  for (const Finding& finding : result.findings) json["notes"].push_back(english(finding));
   return json;
 }
 
@@ -148,7 +172,8 @@ bool all_finite(std::span<const double> values) {
 
 }  // namespace
 
-std::string to_json(const Identification& result) {
+std::string to_json(const Run& run) {
+  const Identification& result = run.identification;
   Json json{{"schema", "proofmass.identification/1"},
             {"method", result.method},
             {"model", result.model},
@@ -161,8 +186,12 @@ std::string to_json(const Identification& result) {
   json["metrics"] = metrics_of(result);
   json["ending"] = {{"status", to_string(result.ending.status)}, {"reason", result.ending.reason}};
   json["history"] = history_of(result.history);
-  json["diagnostics"] = json_of(result.diagnostics);
-  json["provenance"] = json_of(result.provenance);
+  json["findings"] = json_of(result.findings);
+  json["diagnostics"] = diagnostics_of(result);
+  json["provenance"] = json_of(run.provenance);
+  for (const auto& [axis, range] : result.input_range) {
+    json["input_range"][std::string(axis_name(axis))] = json_of(range);
+  }
   if (result.network) json["network"] = json_of(*result.network);
   if (!result.covariance.empty() && all_finite(result.covariance)) {
     json["covariance"] = covariance_of(result.covariance);

@@ -62,6 +62,7 @@ std::vector<std::pair<std::string, JsonNode>> JsonNode::members() const {
 }
 
 bool JsonNode::is_null() const { return json_->is_null(); }
+bool JsonNode::is_text() const { return json_->is_string(); }
 
 double JsonNode::number() const {
   if (!json_->is_number()) fail("a number");

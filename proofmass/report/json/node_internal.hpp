@@ -25,6 +25,7 @@ class JsonNode {
   [[nodiscard]] std::vector<JsonNode> items() const;
   [[nodiscard]] std::vector<std::pair<std::string, JsonNode>> members() const;
   [[nodiscard]] bool is_null() const;
+  [[nodiscard]] bool is_text() const;
   [[nodiscard]] double number() const;
   [[nodiscard]] std::uint64_t count() const;
   [[nodiscard]] std::string text() const;

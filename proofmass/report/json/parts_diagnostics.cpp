@@ -57,25 +57,34 @@ std::vector<HiddenTrial> hidden_trials_of(const JsonNode& diagnostics) {
 }  // namespace
 
 Diagnostics diagnostics_of(const JsonNode& node) {
-  Diagnostics diagnostics{.residual_sd = optional_number(node, "residual_sd"),
-                          .dof = optional_count(node, "dof"),
-                          .r2_adjusted = optional_number(node, "r2_adjusted"),
-                          .condition_raw = optional_number(node, "condition_raw"),
-                          .condition_scaled = optional_number(node, "condition_scaled"),
-                          .saturated_share = optional_number(node, "saturated_share"),
-                          .induced_deviation = optional_number(node, "induced_deviation"),
-                          .iterations = optional_count(node, "iterations"),
-                          .training_epochs = optional_count(node, "training_epochs"),
-                          .swarm_evaluations = optional_count(node, "swarm_evaluations"),
-                          .models_tried = optional_count(node, "models_tried"),
-                          .hidden_search = hidden_trials_of(node),
-                          .robust_scale = optional_number(node, "robust_scale"),
-                          .suspect_rows = suspects_of(node),
-                          .optimum_rmse_ratio = optional_number(node, "optimum_rmse_ratio"),
-                          .optimum_distance = optional_number(node, "optimum_distance"),
-                          .notes = {}};
-  for (const JsonNode& note : node.at("notes").items()) diagnostics.notes.push_back(note.text());
-  return diagnostics;
+  return {.residual_sd = optional_number(node, "residual_sd"),
+          .dof = optional_count(node, "dof"),
+          .r2_adjusted = optional_number(node, "r2_adjusted"),
+          .condition_raw = optional_number(node, "condition_raw"),
+          .condition_scaled = optional_number(node, "condition_scaled"),
+          .iterations = optional_count(node, "iterations")};
+}
+
+Details details_of(const JsonNode& node) {
+  if (const auto scale = optional_number(node, "robust_scale")) {
+    return RobustDetails{.scale = *scale, .suspect_rows = suspects_of(node)};
+  }
+  if (const auto tried = optional_count(node, "models_tried")) return GmdhDetails{.models_tried = *tried};
+  const auto evaluations = optional_count(node, "swarm_evaluations");
+  if (const auto ratio = optional_number(node, "optimum_rmse_ratio")) {
+    return AfsaDetails{.swarm_evaluations = evaluations.value_or(0),
+                       .optimum_rmse_ratio = *ratio,
+                       .optimum_distance = optional_number(node, "optimum_distance").value_or(0.0)};
+  }
+  const auto epochs = optional_count(node, "training_epochs");
+  if (!epochs) return std::monostate();
+  auto saturated = optional_number(node, "saturated_fraction");
+  if (!saturated) saturated = optional_number(node, "saturated_share");  // the name of 0.1.0
+  return NetworkDetails{.saturated_fraction = saturated,
+                        .induced_deviation = optional_number(node, "induced_deviation"),
+                        .training_epochs = *epochs,
+                        .swarm_evaluations = evaluations,
+                        .hidden_search = hidden_trials_of(node)};
 }
 
 }  // namespace proofmass

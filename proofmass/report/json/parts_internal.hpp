@@ -18,5 +18,6 @@ namespace proofmass {
 [[nodiscard]] Interval interval_of(const JsonNode& node);
 [[nodiscard]] TrainedNetwork network_of(const JsonNode& node);
 [[nodiscard]] Diagnostics diagnostics_of(const JsonNode& node);
+[[nodiscard]] Details details_of(const JsonNode& node);
 
 }  // namespace proofmass

@@ -66,9 +66,9 @@ std::string table_1(const Reproduction& made) {
 }
 
 std::string coefficient_cell(const Contestant& contestant, Term term) {
-  for (const Coefficient& c : contestant.runs.front().coefficients) {
+  for (const Coefficient& c : contestant.runs.front().identification.coefficients) {
     if (c.term != term) continue;
-    if (!c.identified) return c.left_out ? "left out" : "lost";
+    if (!c.identified) return c.left_out ? "left out" : "unidentifiable";
     if (!c.standard_error) return significant_text(c.value, 6);
     return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
                        significant_text(*c.standard_error, 2));
@@ -135,7 +135,7 @@ std::string table_3(const Reproduction& made) {
     out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", c.method, paper_mse(k),
                        mse_text(c.test), significant_text(c.test->mae.mean, 4),
                        significant_text(c.test->rmse.mean, 4), spread_of_optional(c.test->mape_percent, 4),
-                       spread_of_optional(c.test->r2, 10), mse_text(c.train),
+                       c.test->r2 ? determination_text(c.test->r2->mean) : "-", mse_text(c.train),
                        spread_of_optional(c.iterations, 5), significant_text(c.time.mean, 3));
   }
   return out + "\n";
@@ -179,7 +179,7 @@ std::string gains(const Reproduction& made) {
 std::string pictures(const Reproduction& made) {
   std::string out = "## Figures\n\n";
   int number = 4;
-  for (const Figure& figure : figures_of(made)) {
+  for (const PaperFigure& figure : figures_of(made)) {
     out += fmt::format("![Figure {0}: {1}]({2}.svg)\n\nFigure {0}: {1} ([data]({2}.csv)).\n\n", number++,
                        figure.plot.title, figure.name);
   }
@@ -215,7 +215,7 @@ std::vector<NamedText> reproduction_files(const Reproduction& made) {
                                {"table-1.csv", table_1_csv(made)},
                                {"table-2.json", to_json(made.coefficients)},
                                {"table-3.json", to_json(made.networks)}};
-  for (const Figure& figure : figures_of(made)) {
+  for (const PaperFigure& figure : figures_of(made)) {
     files.push_back({figure.name + ".csv", figure_csv(figure.plot)});
     files.push_back({figure.name + ".svg", render_svg(figure.plot)});
   }

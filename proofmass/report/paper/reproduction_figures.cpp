@@ -18,7 +18,7 @@ std::vector<PlotSeries> by_step(const std::vector<Curve>& curves) {
   return series;
 }
 
-Figure curve_figure(std::string name, std::string title, const char* step, const Reproduction& made,
+PaperFigure curve_figure(std::string name, std::string title, const char* step, const Reproduction& made,
                     const std::vector<Curve>& curves) {
   return {.name = std::move(name),
           .plot = {.title = std::move(title),
@@ -62,7 +62,7 @@ Plot errors(const Reproduction& made) {
 
 }  // namespace
 
-std::vector<Figure> figures_of(const Reproduction& made) {
+std::vector<PaperFigure> figures_of(const Reproduction& made) {
   return {curve_figure("figure-4-bp-training", "BP: error by epoch", "epoch", made, made.bp_training),
           curve_figure("figure-5-pso-bp-training", "PSO-BP (paper's preset): error by epoch after the swarm",
                        "epoch", made, made.swarm_training),

@@ -9,13 +9,13 @@
 
 namespace proofmass {
 
-struct Figure {
+struct PaperFigure {
   std::string name;  // of its files, without the ending
   Plot plot;
 };
 
 // Figures 4 to 8, in order.
-[[nodiscard]] std::vector<Figure> figures_of(const Reproduction& made);
+[[nodiscard]] std::vector<PaperFigure> figures_of(const Reproduction& made);
 
 // The figure's numbers: series,x,y.
 [[nodiscard]] std::string figure_csv(const Plot& plot);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "proofmass/report/number_text.hpp"
+#include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
 
@@ -25,6 +26,12 @@ std::string spread_text(const std::optional<Spread>& spread, int digits = 5) {
   return spread ? spread_text(*spread, digits) : "-";
 }
 
+std::string determination_spread(const std::optional<Spread>& r2) {
+  if (!r2) return "-";
+  return r2->sd ? fmt::format("{} ± {:.2g}", determination_text(r2->mean), *r2->sd)
+                : determination_text(r2->mean);
+}
+
 // One run's counts are whole.
 std::string count_text(const std::optional<Spread>& count) {
   return count && !count->sd ? fmt::format("{:.0f}", count->mean) : spread_text(count, 4);
@@ -34,10 +41,10 @@ std::string optional_text(const std::optional<double>& value) {
   return value ? significant_text(*value, 3) : "-";
 }
 
-std::string coefficient_text(const Identification& run, Term term) {
-  for (const Coefficient& c : run.coefficients) {
+std::string coefficient_text(const Run& run, Term term) {
+  for (const Coefficient& c : run.identification.coefficients) {
     if (c.term != term) continue;
-    if (!c.identified) return c.left_out ? "left out" : "lost";
+    if (!c.identified) return c.left_out ? "left out" : "unidentifiable";
     if (!c.standard_error) return significant_text(c.value, 7);
     return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
                        significant_text(*c.standard_error, 2));
@@ -50,7 +57,8 @@ void write_coefficients(TerminalText& out, const Comparison& comparison) {
   std::vector<Term> terms;
   for (const Contestant& c : comparison.contestants) {
     header.push_back(c.method);
-    for (const Coefficient& coefficient : c.runs.front().coefficients) terms.push_back(coefficient.term);
+    for (const Coefficient& coefficient : c.runs.front().identification.coefficients)
+      terms.push_back(coefficient.term);
   }
   std::sort(terms.begin(), terms.end());
   terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
@@ -60,7 +68,7 @@ void write_coefficients(TerminalText& out, const Comparison& comparison) {
     for (const Contestant& c : comparison.contestants) row.push_back(coefficient_text(c.runs.front(), term));
     table.add(std::move(row));
   }
-  const Unit& unit = comparison.contestants.front().runs.front().output_unit;
+  const Unit& unit = comparison.contestants.front().runs.front().identification.output_unit;
   out.heading(
       fmt::format("Coefficients, in {} per g^order, seed {}", unit.canonical_symbol(), comparison.seed));
   out.table(table);
@@ -72,12 +80,12 @@ void write_metrics(TerminalText& out, const Comparison& comparison) {
     const auto add = [&table, &c](const char* part, const std::optional<MetricSpreads>& m) {
       if (!m) return;
       table.add({c.method, part, spread_text(m->mae), spread_text(m->mse), spread_text(m->rmse),
-                 spread_text(m->mape_percent, 4), spread_text(m->r2, 12)});
+                 spread_text(m->mape_percent, 4), determination_spread(m->r2)});
     };
     add("train", c.train);
     add("test", c.test);
   }
-  const Unit& unit = comparison.contestants.front().runs.front().output_unit;
+  const Unit& unit = comparison.contestants.front().runs.front().identification.output_unit;
   out.heading(fmt::format("Errors, in {}, {} repeats", unit.symbol, comparison.repeats));
   out.table(table);
 }
@@ -90,7 +98,7 @@ void write_costs(TerminalText& out, const Comparison& comparison) {
     const CostRatios ratios = ratios_to(first, c);
     table.add({c.method, count_text(c.iterations), optional_text(ratios.iterations), spread_text(c.time, 3),
                optional_text(ratios.time), optional_text(ratios.test_mse),
-               std::string(to_string(c.runs.front().ending.status))});
+               std::string(to_string(c.runs.front().identification.ending.status))});
   }
   out.heading(fmt::format("Cost, ratios to {}", first.method));
   out.table(table);
@@ -109,17 +117,40 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
   }
   out.heading("Distance from the truth, over terms and repeats (1 is what noise explains)");
   out.table(table);
-  for (const std::string& note : comparison.notes) out.warning("note: " + note);
+}
+
+// What each method says, with the figures of the first repeat that says it.
+void write_method_findings(TerminalText& out, const Contestant& contestant, Severity severity) {
+  std::vector<Finding> said;
+  for (const Run& run : contestant.runs) {
+    for (const Finding& finding : run.identification.findings) {
+      const auto same = [&finding](const Finding& other) { return other.code == finding.code; };
+      if (finding.severity == severity && std::none_of(said.begin(), said.end(), same))
+        said.push_back(finding);
+    }
+  }
+  if (said.empty()) return;
+  out.heading(
+      fmt::format("{} on {}", severity == Severity::warning ? "Warnings" : "Notes", contestant.method));
+  write_findings(out, said, severity);
+}
+
+void write_all_findings(TerminalText& out, const Comparison& comparison, Severity severity) {
+  write_findings(out, comparison.findings, severity);
+  for (const Contestant& contestant : comparison.contestants)
+    write_method_findings(out, contestant, severity);
 }
 
 }  // namespace
 
 std::string render_comparison(const Comparison& comparison, const TerminalStyle& style) {
   TerminalText out(style);
+  write_all_findings(out, comparison, Severity::warning);
   write_coefficients(out, comparison);
   write_metrics(out, comparison);
   write_costs(out, comparison);
   write_truth(out, comparison);
+  write_all_findings(out, comparison, Severity::note);
   return out.text();
 }
 

@@ -34,7 +34,8 @@ std::string condition_text(double condition) {
 // One line a model; then, for the largest, each lost term with its reason.
 void write_models(TerminalText& out, const Inspection& inspection) {
   out.heading("Terms that the inputs can identify");
-  TextTable table({"model", "terms", "identified", "rows needed", "condition", "scaled", "lost"}, true);
+  TextTable table({"model", "terms", "identified", "rows needed", "condition", "scaled", "unidentifiable"},
+                  true);
   for (const PresetVerdict& preset : inspection.presets) {
     TermList lost;
     for (const Unidentifiable& term : preset.found.lost) lost.push_back(term.term);

@@ -10,6 +10,7 @@
 
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/readable_units.hpp"
+#include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
 
@@ -65,19 +66,35 @@ void write_coefficients(TerminalText& out, std::span<const Coefficient> coeffici
   }
 }
 
+// Over which rows MAPE is, where it is not over all.
+void write_mape_rows(TerminalText& out, const Identification& result) {
+  std::string parts;
+  const auto add = [&parts](const char* part, const std::optional<Metrics>& m) {
+    if (!m || m->mape_rows == m->n) return;
+    parts += fmt::format("{}{} of {} {} rows", parts.empty() ? "" : ", ", m->mape_rows, m->n, part);
+  };
+  add("training", result.train);
+  add("validation", result.validation);
+  add("test", result.test);
+  if (parts.empty()) return;
+  out.line(fmt::format("MAPE leaves out outputs below {:g} % of their range: it is over {}",
+                       100.0 * kMapeFloor, parts));
+}
+
 void write_metrics(TerminalText& out, const Identification& result) {
   TextTable table({"part", "rows", "MAE", "MSE", "RMSE", "MAPE %", "R²"});
   const auto add = [&table](const char* part, const std::optional<Metrics>& m) {
     if (!m) return;
     table.add({part, std::to_string(m->n), significant_text(m->mae, 5), significant_text(m->mse, 5),
                significant_text(m->rmse, 5), optional_text(m->mape_percent, 4),
-               m->r2 ? fmt::format("{:.12g}", *m->r2) : "-"});
+               m->r2 ? determination_text(*m->r2) : "-"});
   };
   add("train", result.train);
   add("validation", result.validation);
   add("test", result.test);
   out.heading(fmt::format("Errors, in {}", result.output_unit.symbol));
   out.table(table);
+  write_mape_rows(out, result);
 }
 
 // The worst few, and how many there are.
@@ -111,35 +128,54 @@ void write_hidden_search(TerminalText& out, const std::vector<HiddenTrial>& tria
   out.line("chosen: the fewest units within one standard error of the least mean");
 }
 
-void write_diagnostics(TerminalText& out, const Diagnostics& d, const Unit& output) {
-  std::vector<std::string> figures;
-  const auto add = [&figures](const char* label, const std::optional<double>& value) {
-    if (value) figures.push_back(fmt::format("{} {:.5g}", label, *value));
-  };
-  if (d.residual_sd) {
-    figures.push_back(
-        fmt::format("residual sd {:.5g} {}", to_declared(*d.residual_sd, output), output.symbol));
+// One line of the figures that there are.
+class FigureLine {
+ public:
+  explicit FigureLine(const Unit& output) : output_(output) {}
+  void number(const char* label, const std::optional<double>& value) {
+    if (value) figures_.push_back(fmt::format("{} {:.5g}", label, *value));
   }
-  if (d.dof) figures.push_back(fmt::format("degrees of freedom {}", *d.dof));
-  if (d.r2_adjusted) figures.push_back(fmt::format("adjusted R² {:.12g}", *d.r2_adjusted));
-  add("condition number", d.condition_raw);
-  add("with scaled columns", d.condition_scaled);
-  add("saturated share", d.saturated_share);
-  if (d.induced_deviation) {
-    figures.push_back(fmt::format("deviation induced by the network {:.5g} {}",
-                                  to_declared(*d.induced_deviation, output), output.symbol));
+  void count(const char* label, const std::optional<std::size_t>& value) {
+    if (value) figures_.push_back(fmt::format("{} {}", label, *value));
   }
-  if (d.training_epochs) figures.push_back(fmt::format("training epochs {}", *d.training_epochs));
-  if (d.swarm_evaluations) figures.push_back(fmt::format("swarm evaluations {}", *d.swarm_evaluations));
-  if (d.models_tried) figures.push_back(fmt::format("models tried {}", *d.models_tried));
-  add("residual over the least-squares optimum's", d.optimum_rmse_ratio);
-  add("farthest coefficient, standard errors from it", d.optimum_distance);
-  if (d.robust_scale) {
-    figures.push_back(
-        fmt::format("robust scale {:.5g} {}", to_declared(*d.robust_scale, output), output.symbol));
+  void output(const char* label, const std::optional<double>& value) {
+    if (value) {
+      figures_.push_back(fmt::format("{} {:.5g} {}", label, to_declared(*value, output_), output_.symbol));
+    }
   }
-  if (!figures.empty()) out.line(fmt::format("{}", fmt::join(figures, "; ")));
-  for (const std::string& note : d.notes) out.warning("note: " + note);
+  void text(std::string figure) { figures_.push_back(std::move(figure)); }
+  [[nodiscard]] std::string text() const { return fmt::format("{}", fmt::join(figures_, "; ")); }
+
+ private:
+  const Unit& output_;
+  std::vector<std::string> figures_;
+};
+
+void add(FigureLine&, const std::monostate&) {}
+void add(FigureLine& line, const NetworkDetails& details) {
+  line.number("saturated fraction", details.saturated_fraction);
+  line.output("deviation induced by the network", details.induced_deviation);
+  line.count("training epochs", details.training_epochs);
+  line.count("swarm evaluations", details.swarm_evaluations);
+}
+void add(FigureLine& line, const RobustDetails& details) { line.output("robust scale", details.scale); }
+void add(FigureLine& line, const GmdhDetails& details) { line.count("models tried", details.models_tried); }
+void add(FigureLine& line, const AfsaDetails& details) {
+  line.count("swarm evaluations", details.swarm_evaluations);
+  line.number("residual over the least-squares optimum's", details.optimum_rmse_ratio);
+  line.number("farthest coefficient, standard errors from it", details.optimum_distance);
+}
+
+void write_diagnostics(TerminalText& out, const Identification& result) {
+  const Diagnostics& d = result.diagnostics;
+  FigureLine line(result.output_unit);
+  line.output("residual sd", d.residual_sd);
+  line.count("degrees of freedom", d.dof);
+  if (d.r2_adjusted) line.text("adjusted R² " + determination_text(*d.r2_adjusted));
+  line.number("condition number", d.condition_raw);
+  line.number("with scaled columns", d.condition_scaled);
+  std::visit([&line](const auto& details) { add(line, details); }, result.details);
+  if (const std::string text = line.text(); !text.empty()) out.line(text);
 }
 
 }  // namespace
@@ -148,6 +184,7 @@ std::string render_table(const Identification& result, const TerminalStyle& styl
   TerminalText out(style);
   const Unit& output = result.output_unit;
   out.heading(fmt::format("{}, model {}, seed {}", result.method, result.model, result.seed));
+  write_findings(out, result.findings, Severity::warning);
   write_coefficients(out, result.coefficients, output);
   if (!output.is_acceleration()) {
     std::vector<Coefficient> referred = referred_to_input(result);
@@ -158,12 +195,19 @@ std::string render_table(const Identification& result, const TerminalStyle& styl
     }
   }
   write_metrics(out, result);
-  write_hidden_search(out, result.diagnostics.hidden_search, output);
-  write_suspects(out, result.diagnostics.suspect_rows, output);
+  if (const auto* network = std::get_if<NetworkDetails>(&result.details)) {
+    write_hidden_search(out, network->hidden_search, output);
+  }
+  if (const auto* robust = std::get_if<RobustDetails>(&result.details)) {
+    write_suspects(out, robust->suspect_rows, output);
+  }
   out.heading(fmt::format("Ended: {}", to_string(result.ending.status)));
   out.line(result.ending.reason);
-  write_diagnostics(out, result.diagnostics, output);
+  write_diagnostics(out, result);
+  write_findings(out, result.findings, Severity::note);
   return out.text();
 }
+
+std::string summary(const Run& run) { return render_table(run.identification); }
 
 }  // namespace proofmass

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "proofmass/core/identification.hpp"
+#include "proofmass/core/run.hpp"
 
 namespace proofmass {
 
@@ -16,5 +16,8 @@ struct TerminalStyle {
 // part, how the computation ended, and what must be known to read it. When the output is not an acceleration,
 // the coefficients referred to input follow.
 [[nodiscard]] std::string render_table(const Identification& result, const TerminalStyle& style = {});
+
+// The same of a run, without colour.
+[[nodiscard]] std::string summary(const Run& run);
 
 }  // namespace proofmass

@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "proofmass/report/number_text.hpp"
+#include "proofmass/report/terminal/comparison.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
 
 namespace proofmass {
@@ -22,6 +27,10 @@ Coefficient coefficient(Term term, double value, double standard_error) {
   return c;
 }
 
+Finding said(std::string text, Severity severity) {
+  return {.code = Code::verbatim, .severity = severity, .figures = {{"text", std::move(text)}}};
+}
+
 Identification result_in(const char* unit) {
   Identification r;
   r.method = "ols";
@@ -34,9 +43,10 @@ Identification result_in(const char* unit) {
   lost.identified = false;
   lost.reason = "confounded with Kii";
   r.coefficients.push_back(lost);
-  r.train = Metrics{.n = 70, .mae = 1e-6, .mse = 1e-12, .rmse = 1e-6, .mape_percent = 0.01, .r2 = 1.0};
+  r.train = Metrics{
+      .n = 70, .mae = 1e-6, .mse = 1e-12, .rmse = 1e-6, .mape_percent = 0.01, .mape_rows = 70, .r2 = 1.0};
   r.ending.reason = "solved directly";
-  r.diagnostics.notes = {"one note"};
+  r.findings = {said("one note", Severity::note)};
   return r;
 }
 
@@ -61,6 +71,34 @@ TEST(Terminal, ReadsCoefficientsInTheUnitsUsersSpeak) {
   EXPECT_EQ(text.find("test"), std::string::npos);
 }
 
+TEST(Terminal, WarnsAboveTheCoefficientsAndNotesBelowTheErrors) {
+  Identification result = result_in("g");
+  result.findings = {said("first note", Severity::note), said("first warning", Severity::warning),
+                     said("second note", Severity::note), said("second warning", Severity::warning)};
+  const std::string text = render_table(result);
+  std::vector<std::size_t> places;
+  for (const char* part : {"warning: first warning", "warning: second warning", "std. error", "Errors, in g",
+                           "Ended: direct", "note: first note", "note: second note"}) {
+    places.push_back(text.find(part));
+    ASSERT_NE(places.back(), std::string::npos) << part << " in\n" << text;
+    EXPECT_EQ(text.find(part, places.back() + 1), std::string::npos) << part << " twice";
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << text;
+}
+
+TEST(Terminal, SaysOverWhichRowsThePercentageErrorIs) {
+  Identification result = result_in("g");
+  EXPECT_EQ(render_table(result).find("MAPE leaves out"), std::string::npos);
+  result.train->mape_rows = 68;
+  EXPECT_NE(line_with(render_table(result), "MAPE leaves out").find("over 68 of 70 training rows"),
+            std::string::npos);
+}
+
+TEST(Terminal, SummaryIsTheTableWithoutColour) {
+  const proofmass::Run run{.split = {}, .identification = result_in("g"), .provenance = {}};
+  EXPECT_EQ(summary(run), render_table(run.identification));
+}
+
 TEST(Terminal, AlignsColumnsOverUnitsOfSeveralBytes) {
   EXPECT_EQ(display_width("13.0 µg/g²"), 10U);
   TextTable table({"a", "µ"});
@@ -83,6 +121,41 @@ TEST(Terminal, ColoursOnlyWhenAsked) {
   EXPECT_NE(render_table(result_in("g"), {.colour = true}).find("\x1b[33m"), std::string::npos);
 }
 
+Contestant contestant_named(const std::string& name, const std::vector<Finding>& findings) {
+  Contestant contestant;
+  contestant.method = name;
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    Run run{.split = {}, .identification = result_in("g"), .provenance = {}};
+    run.identification.findings = findings;
+    contestant.runs.push_back(std::move(run));
+  }
+  return contestant;
+}
+
+TEST(TerminalComparison, ShowsWhatWasFoundOnTheRecordAndOnEachMethod) {
+  Comparison comparison;
+  comparison.repeats = 2;
+  comparison.contestants = {contestant_named("least", {said("a note on least", Severity::note)}),
+                            contestant_named("robust", {said("a warning on robust", Severity::warning),
+                                                        said("a note on robust", Severity::note)}),
+                            contestant_named("silent", {})};
+  comparison.findings = {said("a doubt on the record", Severity::warning)};
+  const std::string text = render_comparison(comparison);
+  std::vector<std::size_t> places;
+  for (const char* part :
+       {"warning: a doubt on the record", "Warnings on robust", "warning: a warning on robust",
+        "Coefficients, in g", "Errors, in g", "Cost, ratios to least", "Notes on least",
+        "note: a note on least", "Notes on robust", "note: a note on robust"}) {
+    places.push_back(text.find(part));
+    ASSERT_NE(places.back(), std::string::npos) << part << " in\n" << text;
+    EXPECT_EQ(text.find(part, places.back() + 1), std::string::npos) << part << " once, however many repeats";
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << text;
+  for (const char* part : {"Warnings on least", "Warnings on silent", "Notes on silent"}) {
+    EXPECT_EQ(text.find(part), std::string::npos) << part;
+  }
+}
+
 TEST(NumberText, ShowsTheDigitsThatMeanSomething) {
   EXPECT_EQ(uncertain_text(0.99997900123, 2.2e-9), "0.9999790012");
   EXPECT_EQ(uncertain_text(1.5, 100.0), "1.50");
@@ -91,6 +164,10 @@ TEST(NumberText, ShowsTheDigitsThatMeanSomething) {
   EXPECT_EQ(plus_minus_text(13.0617, 0.0224), "13.062 ± 0.022");
   EXPECT_EQ(plus_minus_text(1234.5, 67.0), "1234 ± 67");
   EXPECT_EQ(significant_text(120.0, 3), "120");
+  EXPECT_EQ(determination_text(0.998712), "0.998712");
+  EXPECT_EQ(determination_text(1.0 - 2.31e-13), "1 - 2.31e-13");
+  EXPECT_EQ(determination_text(1.0), "1");
+  EXPECT_EQ(determination_text(-3.5), "-3.5");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ double draw_noise(const OutputNoise& noise, double size, std::size_t row, std::u
   RandomStream outliers(seed, stream_id("simulate outlier", row));
   double value =
       noise.scale(size) * (noise.student_dof ? draws.student_t(*noise.student_dof) : draws.normal());
-  if (outliers.uniform() < noise.outlier_share) {
+  if (outliers.uniform() < noise.outlier_fraction) {
     value += outliers.uniform() < 0.5 ? -noise.outlier_magnitude : noise.outlier_magnitude;
   }
   return value;

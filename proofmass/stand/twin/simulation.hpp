@@ -44,7 +44,7 @@ struct OutputNoise {
   double sigma = 0.0;        // g; of the part that does not depend on A
   double sigma_per_g = 0.0;  // g/g; sigma(A) = sqrt(sigma² + (sigma_per_g * |A|)²), |A| the true magnitude
   std::optional<double> student_dof{};  // Student's t instead of the normal; sigma(A) is then its scale
-  double outlier_share = 0.0;           // probability that a row is an outlier
+  double outlier_fraction = 0.0;        // probability that a row is an outlier
   double outlier_magnitude = 0.0;       // g; added with a random sign
   // Scale of the noise (without outliers) at a true magnitude in g.
   [[nodiscard]] double scale(double magnitude) const noexcept;

@@ -34,8 +34,8 @@ std::string describe_noise(const OutputNoise& noise) {
   if (noise.sigma_per_g > 0.0) text += fmt::format(" and {:.6g} ug per g", micro(noise.sigma_per_g));
   if (noise.student_dof)
     text += fmt::format(", Student t with {:.6g} degrees of freedom", *noise.student_dof);
-  if (noise.outlier_share > 0.0) {
-    text += fmt::format(", a share of {:.6g} outliers of {:.6g} ug", noise.outlier_share,
+  if (noise.outlier_fraction > 0.0) {
+    text += fmt::format(", a fraction of {:.6g} outliers of {:.6g} ug", noise.outlier_fraction,
                         micro(noise.outlier_magnitude));
   }
   return text;

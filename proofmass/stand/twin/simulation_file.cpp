@@ -131,18 +131,25 @@ void read_inputs(const TomlTable& root, SimulationPlan& plan) {
   input->finish();
 }
 
+// By its present name, or by that of 0.1.0.
+double outlier_fraction(const TomlTable& noise) {
+  const char* const key = noise.number("outlier_share") ? "outlier_share" : "outlier_fraction";
+  const double fraction = non_negative(noise, key, 0.0);
+  if (fraction > 1.0) throw noise.error(key, "a fraction from 0 to 1");
+  return fraction;
+}
+
 void read_noise(const TomlTable& root, SimulationPlan& plan) {
   const auto noise = root.table("noise");
   if (!noise) return;
   plan.noise = {.sigma = micro(*noise, "sigma_ug"),
                 .sigma_per_g = micro(*noise, "sigma_ug_per_g"),
                 .student_dof = noise->number("student_dof"),
-                .outlier_share = non_negative(*noise, "outlier_share", 0.0),
+                .outlier_fraction = outlier_fraction(*noise),
                 .outlier_magnitude = micro(*noise, "outlier_magnitude_ug")};
   if (plan.noise.student_dof && !(*plan.noise.student_dof > 0.0)) {
     throw noise->error("student_dof", "degrees of freedom above zero");
   }
-  if (plan.noise.outlier_share > 1.0) throw noise->error("outlier_share", "a share from 0 to 1");
   if (const auto sigma = noise->numbers("input_sigma_ug")) {
     if (sigma->size() != 3) throw noise->error("input_sigma_ug", "three numbers, along IA, OA and PA");
     for (std::size_t axis = 0; axis < 3; ++axis) {

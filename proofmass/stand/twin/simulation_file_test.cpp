@@ -92,7 +92,7 @@ TEST(SimulationFile, ReadsEveryKey) {
       "rows = 7\nseed = 9\n[model]\nKi = 1\nK0 = 1e-3\n"
       "[input]\nlevels_g = [1, 2.5]\ngravity_g = 0.998\n"
       "[[input.mounts]]\nname = \"x\"\nradial = [0, 3, 4]\nup = [2, 0, 0]\n"
-      "[noise]\nsigma_ug = 2\nsigma_ug_per_g = 3\nstudent_dof = 4\noutlier_share = 0.25\n"
+      "[noise]\nsigma_ug = 2\nsigma_ug_per_g = 3\nstudent_dof = 4\noutlier_fraction = 0.25\n"
       "outlier_magnitude_ug = 500\ninput_sigma_ug = [1, 2, 3]\n"
       "[record]\noutput_unit = \"mA\"\noutput_per_g = 1.3\nacceleration_unit = \"m/s^2\"\nsigma = true\n");
   EXPECT_EQ(plan.rows, 7U);
@@ -107,7 +107,7 @@ TEST(SimulationFile, ReadsEveryKey) {
   EXPECT_EQ(plan.noise.sigma, 2e-6);
   EXPECT_EQ(plan.noise.sigma_per_g, 3e-6);
   EXPECT_EQ(plan.noise.student_dof, 4.0);
-  EXPECT_EQ(plan.noise.outlier_share, 0.25);
+  EXPECT_EQ(plan.noise.outlier_fraction, 0.25);
   EXPECT_EQ(plan.noise.outlier_magnitude, 5e-4);
   EXPECT_EQ(plan.input_sigma, (std::array<double, 3>{1e-6, 2e-6, 3e-6}));
   EXPECT_EQ(plan.output_unit.symbol, "mA");
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlan{sphere("[noise]\nsigma_ug = nan\n"), "'noise.sigma_ug'"},
         BadPlan{sphere("[noise]\nsigma_ug_per_g = -1\n"), "'noise.sigma_ug_per_g'"},
         BadPlan{sphere("[noise]\nstudent_dof = 0\n"), "'noise.student_dof'"},
-        BadPlan{sphere("[noise]\noutlier_share = 1.5\n"), "'noise.outlier_share'"},
+        BadPlan{sphere("[noise]\noutlier_fraction = 1.5\n"), "'noise.outlier_fraction'"},
         BadPlan{sphere("[noise]\ninput_sigma_ug = [1, 2]\n"), "'noise.input_sigma_ug'"},
         BadPlan{sphere("[noise]\ninput_sigma_ug = [1, 2, -3]\n"), "'noise.input_sigma_ug'"},
         BadPlan{sphere("[noise]\ninput_sigma_ug = [1, 2, true]\n"), "'noise.input_sigma_ug'"},

@@ -61,8 +61,11 @@ TEST(Simulation, SameSeedSameBitsAndOtherSeedOthers) {
 TEST(Simulation, NoiseLeavesInputsAndRowsLeaveTheFirstRows) {
   SimulationPlan plan = sphere_plan();
   const Dataset quiet = simulate(plan, 50, 3);
-  plan.noise = {
-      .sigma = 1e-4, .sigma_per_g = 1e-5, .student_dof = 3.0, .outlier_share = 0.5, .outlier_magnitude = 1};
+  plan.noise = {.sigma = 1e-4,
+                .sigma_per_g = 1e-5,
+                .student_dof = 3.0,
+                .outlier_fraction = 0.5,
+                .outlier_magnitude = 1};
   const Dataset noisy = simulate(plan, 100, 3);
   for (std::size_t row = 0; row < 50; ++row) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -172,7 +175,7 @@ TEST(Simulation, StudentNoiseHasItsDeviation) {
 
 TEST(Simulation, OutliersHaveTheirShareAndSize) {
   SimulationPlan plan = sphere_plan();
-  plan.noise = {.outlier_share = 0.05, .outlier_magnitude = 0.01};
+  plan.noise = {.outlier_fraction = 0.05, .outlier_magnitude = 0.01};
   double above = 0.0;
   double below = 0.0;
   for (const double n : noise_of(plan, simulate(plan))) {

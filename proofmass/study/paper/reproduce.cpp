@@ -27,9 +27,9 @@ std::vector<HiddenSizeScore> hidden_sizes(const Dataset& record, const Reproduce
   for (std::size_t hidden = kSmallest; hidden <= kLargest; ++hidden) {
     HiddenSizeScore score{.hidden = hidden, .training_mse = {}};
     Entry bp = textbook_bp(budget);
-    bp.options.network.hidden = hidden;
+    network_options(bp.method)->hidden = hidden;
     for (std::size_t r = 0; r < budget.size_repeats; ++r, ++bp.options.seed) {
-      const Identification result = run(record, *bp.method, bp.options, bp.split, steps);
+      const Identification result = identify(record, bp.method, bp.options, steps).identification;
       score.training_mse.push_back(result.train->mse);
       if (r == 0) iterations += static_cast<double>(result.diagnostics.iterations.value_or(0));
       steps.step();
@@ -48,15 +48,11 @@ Comparison compare_all(const Dataset& record, const std::vector<Entry>& entries,
     Comparison part = compare(record, std::span(&one, 1), repeats, steps);
     std::vector<Contestant> contestants = std::exchange(all.contestants, {});
     contestants.push_back(std::move(part.contestants.front()));
-    for (Identification& result : contestants.back().runs) {
-      result.provenance.version = version();
-      result.provenance.input = record.source;
-    }
     all = std::move(part);
     all.contestants = std::move(contestants);
     steps.step();
   }
-  score_truth(all, record, entries, twin);
+  score_truth(all, record, twin);
   return all;
 }
 
@@ -74,15 +70,15 @@ std::vector<SwarmGain> gains_of(const SimulationPlan& twin, const ReproduceOptio
 
 // Error on training, validation and test rows by epoch. Training never looks at the last two: the second
 // run takes the same path as the first, and only watches other rows.
-std::vector<Curve> training_curves(const Dataset& record, Entry who, std::vector<Curve>& swarm,
-                                   Progress& progress) {
-  who.split.early_stopping = true;
-  who.options.network.validation_failures = who.options.network.epochs + 1;
-  const Split split = split_rows(record.rows(), who.split, who.options.seed);
-  const Dataset training = record.select(split.training);
+std::vector<Curve> training_curves(const Dataset& record, const Run& run, Entry who,
+                                   std::vector<Curve>& swarm, Progress& progress) {
+  TrainingOptions& training_options = network_options(who.method)->training;
+  training_options.validation_failures = training_options.epochs + 1;
+  const Dataset training = record.select(run.split.training);
   std::vector<Curve> curves;
-  for (const auto& [name, rows] : {std::pair("validation", &split.validation), {"test", &split.test}}) {
-    const Identification result = who.method->identify(training, record.select(*rows), who.options, progress);
+  for (const auto& [name, rows] :
+       {std::pair("validation", &run.split.validation), {"test", &run.split.test}}) {
+    const Identification result = fit(who.method, training, record.select(*rows), who.options, progress);
     swarm.clear();
     for (const Curve& curve : result.history) {
       if (curve.name == "training_rmse" && curves.empty()) curves.push_back({"training", curve.values});
@@ -96,12 +92,14 @@ std::vector<Curve> training_curves(const Dataset& record, Entry who, std::vector
 void add_figures(Reproduction& made, const Dataset& record, const ReproduceOptions& budget,
                  Progress& progress) {
   StepProgress steps(progress, "Figures", 2);
+  // The paper's swarm stops early: its split has validation rows.
+  const Run& run = made.networks.contestants.at(1).runs.front();
   std::vector<Curve> none;
-  made.bp_training = training_curves(record, textbook_bp(budget), none, steps);
+  made.bp_training = training_curves(record, run, textbook_bp(budget), none, steps);
   steps.step();
-  made.swarm_training = training_curves(record, paper_swarm(budget), made.swarm, steps);
+  made.swarm_training = training_curves(record, run, paper_swarm(budget), made.swarm, steps);
   steps.step();
-  const Dataset test = record.select(split_rows(record.rows(), {}, budget.seed).test);
+  const Dataset test = record.select(run.split.test);
   const double unit = 1.0 / record.output_unit.to_canonical;
   const auto declared = [unit](std::vector<double> values) {
     for (double& value : values) value *= unit;
@@ -109,7 +107,8 @@ void add_figures(Reproduction& made, const Dataset& record, const ReproduceOptio
   };
   made.measured = declared(test.output);
   for (const Contestant& contestant : made.networks.contestants) {
-    made.predicted.push_back({contestant.method, declared(predict(contestant.runs.front(), test))});
+    made.predicted.push_back(
+        {contestant.method, declared(predict(contestant.runs.front().identification, test))});
   }
 }
 
@@ -141,7 +140,8 @@ Reproduction reproduce(SimulationPlan twin, const ReproduceOptions& options, Pro
                                     our_swarm(options)};
   made.networks = compare_all(record, networks, options.repeats, twin, "Table 3", progress);
   const auto iterations = [&made](std::size_t k) {
-    return static_cast<double>(made.networks.contestants[k].runs.front().diagnostics.iterations.value_or(0));
+    return static_cast<double>(
+        made.networks.contestants[k].runs.front().identification.diagnostics.iterations.value_or(0));
   };
   made.search_iterations += iterations(0);
   made.swarm_iterations = iterations(1);

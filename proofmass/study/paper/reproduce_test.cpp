@@ -46,7 +46,7 @@ TEST(Reproduce, HasEveryTableAndFigure) {
   ASSERT_EQ(made.sizes.size(), 10U);
   EXPECT_EQ(made.sizes.front().hidden, 3U);
   EXPECT_EQ(made.sizes.back().hidden, 12U);
-  EXPECT_EQ(made.coefficients.contestants.at(0).runs.at(0).coefficients.size(), 8U);
+  EXPECT_EQ(made.coefficients.contestants.at(0).runs.at(0).identification.coefficients.size(), 8U);
   EXPECT_EQ(made.networks.contestants.size(), 4U);
   EXPECT_LE(made.search_iterations, 11.0 * 30.0);
   // Particles before the first generation and after each, and the final training.

@@ -12,7 +12,7 @@ double SwarmGain::ratio() const {
 }
 
 std::optional<double> implied_variance(const Contestant& contestant) {
-  const std::optional<Metrics>& test = contestant.runs.front().test;
+  const std::optional<Metrics>& test = contestant.runs.front().identification.test;
   if (!test || !test->r2 || !(*test->r2 < 1.0)) return std::nullopt;
   return test->mse / (1.0 - *test->r2);
 }

@@ -13,7 +13,7 @@ SwarmGain measure_gain(SimulationPlan plan, double sigma, const Entry& swarm, co
   const auto count = static_cast<double>(budget.gain_seeds);
   const auto score = [&](Entry who, const Dataset& record, std::uint64_t seed, double& iterations) {
     who.options.seed = seed;
-    const Identification result = run(record, *who.method, who.options, who.split, steps);
+    const Identification result = identify(record, who.method, who.options, steps).identification;
     iterations += static_cast<double>(result.diagnostics.iterations.value_or(0)) / count;
     return result.test->mse;
   };

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 #include "proofmass/numeric/network/perceptron_problem.hpp"
 #include "proofmass/numeric/network/variable_projection.hpp"
 #include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
@@ -17,7 +17,7 @@ namespace proofmass {
 class NetworkDescent {
  public:
   NetworkDescent(const PerceptronShape& shape, const Samples& training, const Samples* validation,
-                 const NetworkOptions& options, TrainingState& state,
+                 const ColumnBlock& fixed, const TrainingOptions& options, TrainingState& state,
                  const std::function<bool()>& keep_going);
 
   // From where the state stands; its curves and, with validation rows, its best weights follow.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "proofmass/identify/model/options.hpp"
+#include "proofmass/identify/network/training/options.hpp"
 #include "proofmass/numeric/network/perceptron.hpp"
 
 namespace proofmass {

@@ -3,13 +3,14 @@
 #include <utility>
 #include <vector>
 
-#include "proofmass/identify/network/descent_internal.hpp"
+#include "proofmass/identify/network/training/descent_internal.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 
 namespace proofmass {
 
 NetworkDescent::NetworkDescent(const PerceptronShape& shape, const Samples& training,
-                               const Samples* validation, const NetworkOptions& options, TrainingState& state,
+                               const Samples* validation, const ColumnBlock& fixed,
+                               const TrainingOptions& options, TrainingState& state,
                                const std::function<bool()>& keep_going)
     : shape_(shape),
       training_(training),
@@ -18,7 +19,7 @@ NetworkDescent::NetworkDescent(const PerceptronShape& shape, const Samples& trai
       state_(state),
       keep_going_(keep_going) {
   if (options.trainer == Trainer::varpro) {
-    hidden_.emplace(shape, training);
+    hidden_.emplace(shape, training, fixed);
   } else {
     all_.emplace(shape, training);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/identify/network/starts.hpp"
+#include "proofmass/identify/network/training/starts.hpp"
 
 #include "proofmass/numeric/random.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,15 +32,15 @@ struct Overfitting {
   Samples validation = scale_rows(scaling, other);
 };
 
-NetworkOptions options_for(Trainer trainer) {
-  NetworkOptions options;
+TrainingOptions options_for(Trainer trainer) {
+  TrainingOptions options;
   options.trainer = trainer;
   return options;
 }
 
 class EachTrainer : public testing::TestWithParam<Trainer> {
  protected:
-  const NetworkOptions options_ = options_for(GetParam());
+  const TrainingOptions options_ = options_for(GetParam());
   const std::vector<double> start_ = random_start(kShape, GetParam(), 1, 0);
   const Overfitting data_;
 };
@@ -60,24 +60,24 @@ TEST_P(EachTrainer, NeverGetsWorseAndTellsItsError) {
   EXPECT_TRUE(state.validation_curve.empty());
 }
 
-TEST(VariableProjection, IsKickedUntilThatNoLongerHelps) {
+TEST(VariableProjection, IsPerturbedUntilThatNoLongerHelps) {
   const Overfitting data;
   const std::vector<double> start = random_start(kShape, Trainer::varpro, 1, 0);
-  NetworkOptions options;
-  options.kicks = 0;
+  TrainingOptions options;
+  options.perturbations = 0;
   const NetworkTrainer calm(kShape, data.samples, nullptr, options);
   TrainingState at_rest = calm.start(start);
   calm.train(at_rest, 3000, test::always);
-  EXPECT_EQ(at_rest.kicks, 0U);
+  EXPECT_EQ(at_rest.perturbations, 0U);
   EXPECT_TRUE(at_rest.finished);
 
-  options.kicks = 2;
+  options.perturbations = 2;
   const NetworkTrainer trainer(kShape, data.samples, nullptr, options);
   TrainingState whole = trainer.start(start);
   trainer.train(whole, 3000, test::always);
   EXPECT_TRUE(whole.finished);
-  EXPECT_GE(whole.kicks, 2U);
-  EXPECT_EQ(whole.idle_kicks, 2U);
+  EXPECT_GE(whole.perturbations, 2U);
+  EXPECT_EQ(whole.idle_perturbations, 2U);
   EXPECT_LE(whole.training_rmse, at_rest.training_rmse);
   EXPECT_NEAR(whole.training_rmse, rmse(whole.weights, data.samples), 1e-9 * whole.training_rmse);
   EXPECT_EQ(whole.training_curve.back(), whole.training_rmse);
@@ -90,7 +90,7 @@ TEST(VariableProjection, IsKickedUntilThatNoLongerHelps) {
   const NetworkTrainer watched(kShape, data.samples, &data.validation, options);
   TrainingState state = watched.start(start);
   watched.train(state, 3000, test::always);
-  EXPECT_EQ(state.kicks, 0U);
+  EXPECT_EQ(state.perturbations, 0U);
 }
 
 TEST_P(EachTrainer, StopsEarlyAndKeepsTheBestValidationWeights) {
@@ -118,7 +118,7 @@ TEST_P(EachTrainer, StopsEarlyAndKeepsTheBestValidationWeights) {
 }
 
 TEST_P(EachTrainer, WaitsAsManyEpochsAsAsked) {
-  NetworkOptions options = options_;
+  TrainingOptions options = options_;
   options.validation_failures = 2;
   const NetworkTrainer trainer(kShape, data_.samples, &data_.validation, options);
   TrainingState state = trainer.start(start_);
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Both, EachTrainer, testing::Values(Trainer::varpro, Tra
 // With and without validation rows: a pause costs no patience and does not lose the place.
 TEST(VariableProjection, IsPolishedFromWhereItRests) {
   const Overfitting data;
-  NetworkOptions options;
+  TrainingOptions options;
   const NetworkTrainer trainer(kShape, data.samples, nullptr, options);
   TrainingState state = trainer.start(random_start(kShape, Trainer::varpro, 1, 0));
   trainer.train(state, 5, test::always);
@@ -176,7 +176,7 @@ TEST(VariableProjection, IsPolishedFromWhereItRests) {
 
 TEST(TextbookTrainer, IsNotPolished) {
   const Overfitting data;
-  const NetworkOptions options = options_for(Trainer::lm);
+  const TrainingOptions options = options_for(Trainer::lm);
   const NetworkTrainer trainer(kShape, data.samples, nullptr, options);
   TrainingState state = trainer.start(random_start(kShape, Trainer::lm, 1, 0));
   trainer.train(state, 20, test::always);
@@ -186,7 +186,7 @@ TEST(TextbookTrainer, IsNotPolished) {
 
 TEST(TextbookTrainer, GoesOnWhereItPaused) {
   const Overfitting data;
-  const NetworkOptions options = options_for(Trainer::lm);
+  const TrainingOptions options = options_for(Trainer::lm);
   for (const Samples* validation : {static_cast<const Samples*>(nullptr), &data.validation}) {
     const NetworkTrainer trainer(kShape, data.samples, validation, options);
     TrainingState once = trainer.start(random_start(kShape, Trainer::lm, 1, 0));
@@ -203,7 +203,7 @@ TEST(TextbookTrainer, GoesOnWhereItPaused) {
 
 TEST(TextbookTrainer, EndsAtTheGradientAndTheDampingAsked) {
   const Overfitting data;
-  NetworkOptions options = options_for(Trainer::lm);
+  TrainingOptions options = options_for(Trainer::lm);
   options.minimum_gradient = 1e9;
   const NetworkTrainer content(kShape, data.samples, nullptr, options);
   TrainingState state = content.start(random_start(kShape, Trainer::lm, 1, 0));

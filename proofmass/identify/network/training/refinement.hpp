@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "proofmass/core/progress.hpp"
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 
 namespace proofmass {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/identify/network/refinement.hpp"
+#include "proofmass/identify/network/training/refinement.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/identify/network/refinement.hpp"
+#include "proofmass/identify/network/training/refinement.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ class Refine : public testing::Test {
 
   const Dataset record_ = test::make_twin({.rows = 80, .noise = 0.5});
   const Samples samples_ = scale_rows(learn_scaling(record_), record_);
-  NetworkOptions options_;
+  TrainingOptions options_;
   NetworkTrainer trainer_{kShape, samples_, nullptr, options_};
   SilentProgress silent_;
 };

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/identify/network/trainer.hpp"
+#include "proofmass/identify/network/training/trainer.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
-#include "proofmass/identify/network/descent_internal.hpp"
+#include "proofmass/identify/network/training/descent_internal.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 #include "proofmass/numeric/network/variable_projection.hpp"
 #include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
@@ -16,7 +17,7 @@
 namespace proofmass {
 namespace {
 
-LevenbergMarquardtOptions textbook(const NetworkOptions& options) {
+LevenbergMarquardtOptions textbook(const TrainingOptions& options) {
   return {.damping = Damping::multiplicative,
           .scaled = false,
           .mu = options.mu,
@@ -49,34 +50,44 @@ LevenbergMarquardtOptions projected_until_minimum() {
   return settings;
 }
 
-// A kick adds normal numbers of this standard deviation to the hidden weights, of inputs scaled to [-1, 1]:
-// enough to leave the valley, little enough to keep what has been learnt.
-constexpr double kKick = 0.03;
-// A kick has helped when training comes to rest at less than this share of the least sum of squares before.
+// A perturbation adds normal numbers of this standard deviation to the hidden weights, of inputs scaled to
+// [-1, 1]: enough to leave the valley, little enough to keep what has been learnt.
+constexpr double kPerturbation = 0.03;
+// A perturbation has helped when training comes to rest at less than this fraction of the least sum of
+// squares before.
 constexpr double kGain = 0.8;
 
-void mention_kicks(TrainingState& state) {
-  if (state.kicks == 0 || state.termination.cause == Cause::stopped) return;
-  state.termination.reason +=
-      fmt::format("; kicks: {}, the last {} without gain", state.kicks, state.idle_kicks);
+void mention_perturbations(TrainingState& state) {
+  if (state.perturbations == 0 || state.termination.cause == Cause::stopped) return;
+  state.termination.reason += fmt::format("; {} perturbations, the last {} without gain", state.perturbations,
+                                          state.idle_perturbations);
 }
 
 }  // namespace
 
 NetworkTrainer::NetworkTrainer(const PerceptronShape& shape, const Samples& training,
-                               const Samples* validation, const NetworkOptions& options)
-    : shape_(shape), training_(training), validation_(validation), options_(options) {}
+                               const Samples* validation, const TrainingOptions& options)
+    : shape_(shape), training_(training), validation_(validation), fixed_(kNoColumns), options_(options) {}
+
+NetworkTrainer::NetworkTrainer(const PerceptronShape& shape, const Samples& training,
+                               const ColumnBlock& fixed, const TrainingOptions& options)
+    : shape_(shape), training_(training), validation_(nullptr), fixed_(fixed), options_(options) {
+  if (options.trainer != Trainer::varpro) {
+    throw std::invalid_argument("further columns are trained by variable projection alone");
+  }
+}
 
 TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream random) const {
   if (weights.size() == shape_.hidden_weights()) {
-    weights = with_solved_output_layer(shape_, training_, std::move(weights));
+    weights = with_solved_output_layer(shape_, training_, std::move(weights), fixed_);
   }
   TrainingState state;
   state.random = random;
   state.weights = std::move(weights);
   state.point = state.weights;
-  state.training_rmse = root_mean(perceptron_sse(shape_, state.weights, training_), training_);
+  state.training_rmse = root_mean(sum_of_squares(state.weights), training_);
   state.training_curve = {state.training_rmse};
+  state.rests_at_minimum = options_.trainer == Trainer::varpro;
   state.mu = options_.trainer == Trainer::lm ? options_.mu : projected().mu;
   if (validation_ != nullptr) {
     state.validation_rmse = root_mean(perceptron_sse(shape_, state.weights, *validation_), *validation_);
@@ -85,16 +96,23 @@ TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream ra
   return state;
 }
 
+double NetworkTrainer::sum_of_squares(std::span<const double> weights) const {
+  if (fixed_.columns() == 0) return perceptron_sse(shape_, weights, training_);
+  SeparablePerceptron problem(shape_, training_, fixed_);
+  return problem.evaluate(weights.first(shape_.hidden_weights()));
+}
+
 bool NetworkTrainer::go_on(TrainingState& state, double sum_of_squares) const {
   if (options_.trainer != Trainer::varpro || validation_ != nullptr) return false;
   const bool helped = sum_of_squares < kGain * state.settled;
   state.settled = std::min(state.settled, sum_of_squares);
-  state.idle_kicks = helped ? 0 : state.idle_kicks + 1;
+  state.idle_perturbations = helped ? 0 : state.idle_perturbations + 1;
   state.point = state.weights;
   state.mu = projected().mu;
-  if (state.idle_kicks >= options_.kicks) return false;
-  ++state.kicks;
-  for (std::size_t k = 0; k < shape_.hidden_weights(); ++k) state.point[k] += kKick * state.random.normal();
+  if (state.idle_perturbations >= options_.perturbations) return false;
+  ++state.perturbations;
+  for (std::size_t k = 0; k < shape_.hidden_weights(); ++k)
+    state.point[k] += kPerturbation * state.random.normal();
   return true;
 }
 
@@ -112,7 +130,7 @@ void NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& stat
   state.mu = result.mu;
   state.termination = std::move(result.termination);
   state.point = options_.trainer == Trainer::varpro
-                    ? with_solved_output_layer(shape_, training_, std::move(result.point))
+                    ? with_solved_output_layer(shape_, training_, std::move(result.point), fixed_)
                     : std::move(result.point);
   const double rmse = root_mean(result.sum_of_squares, training_);
   if (validation_ != nullptr || !(rmse <= state.training_rmse)) return;
@@ -123,16 +141,16 @@ void NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& stat
 void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
                            const std::function<bool()>& keep_going) const {
   if (state.finished) return;
-  NetworkDescent descent(shape_, training_, validation_, options_, state, keep_going);
+  NetworkDescent descent(shape_, training_, validation_, fixed_, options_, state, keep_going);
   for (std::size_t left = epochs; left > 0 && !state.finished;) {
     LevenbergMarquardtOptions settings = this->settings(state);
     settings.iterations = left;
     LevenbergMarquardtResult result = descent.run(settings);
     left -= std::min(left, std::max<std::size_t>(result.iterations, 1));
-    const double sum_of_squares = result.sum_of_squares;
+    const double reached = result.sum_of_squares;
     take(std::move(result), state);
     if (state.termination.cause == Cause::iteration_limit) return;
-    state.finished = state.termination.cause != Cause::stalled || !go_on(state, sum_of_squares);
+    state.finished = state.termination.cause != Cause::stalled || !go_on(state, reached);
   }
   if (!state.finished) {
     state.termination = {Cause::iteration_limit, "the epochs allowed are spent"};
@@ -140,7 +158,7 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
     state.termination.reason =
         fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
   } else {
-    mention_kicks(state);
+    mention_perturbations(state);
   }
 }
 
@@ -148,12 +166,12 @@ void NetworkTrainer::polish(TrainingState& state, std::size_t epochs,
                             const std::function<bool()>& keep_going) const {
   const bool rests = state.finished && state.termination.cause == Cause::stalled;
   if (options_.trainer != Trainer::varpro || validation_ != nullptr || !rests || epochs == 0) return;
-  NetworkDescent descent(shape_, training_, validation_, options_, state, keep_going);
+  NetworkDescent descent(shape_, training_, validation_, fixed_, options_, state, keep_going);
   LevenbergMarquardtOptions settings = projected_until_minimum();
   settings.iterations = epochs;
   state.point = state.weights;
   take(descent.run(settings), state);
-  mention_kicks(state);
+  mention_perturbations(state);
 }
 
 double NetworkTrainer::merit(const TrainingState& state) const noexcept {
@@ -162,8 +180,8 @@ double NetworkTrainer::merit(const TrainingState& state) const noexcept {
 }
 
 std::vector<double> with_solved_output_layer(const PerceptronShape& shape, const Samples& samples,
-                                             std::vector<double> hidden_weights) {
-  SeparablePerceptron problem(shape, samples);
+                                             std::vector<double> hidden_weights, const ColumnBlock& fixed) {
+  SeparablePerceptron problem(shape, samples, fixed);
   (void)problem.evaluate(hidden_weights);
   hidden_weights.insert(hidden_weights.end(), problem.output_weights().begin(),
                         problem.output_weights().end());

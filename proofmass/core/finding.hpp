@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must be known to read a result, as data: the words are in report/text, in the reader's language.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "proofmass/core/term.hpp"
+
+namespace proofmass {
+
+enum class Severity : std::uint8_t {
+  note,     // what the figures assume, or how they came about
+  warning,  // the figures may be wrong, or mean something else than they seem to
+};
+[[nodiscard]] std::string_view to_string(Severity severity) noexcept;
+
+// What was found. Each has a name in snake case, which is its value in JSON, and a sentence in report/text.
+enum class Code : std::uint8_t {
+  verbatim,  // a sentence of another version's result, in the figure "text"
+  // Any method.
+  term_not_identified,
+  inputs_collinear,
+  terms_apart_by_rounding,
+  rounding_costs_digits,
+  white_noise_assumed,
+  sigma_output_unused,
+  test_error_larger,
+  // wls
+  weights_from_sigma,
+  weights_from_model,
+  variance_does_not_grow,
+  sigma_output_taken,
+  sigma_output_scaled,
+  sigma_output_too_small,
+  sigma_output_too_large,
+  rows_without_weight,
+  weighted_noise_assumed,
+  // tls, eiv
+  sigma_inputs_replaced,
+  sigma_output_replaced,
+  uncertainties_taken,
+  uncertainties_scaled,
+  total_least_squares_biased,
+  independent_errors_assumed,
+  // robust
+  huber_loss,
+  bisquare_loss,
+  student_loss,
+  outlying_rows,
+  scale_at_resolution,
+  scale_at_rounding,
+  scale_doubtful,
+  robust_errors_asymptotic,
+  // gmdh
+  terms_chosen,
+  choice_taken_as_given,
+  layers_grown,
+  layers_expanded,
+  layers_beyond_terms,
+  layers_without_errors,
+  pairs_discarded,
+  // afsa
+  search_short_of_optimum,
+  search_errors_added,
+  // networks
+  coefficients_projected,
+  coefficients_expanded,
+  expansion_differs,
+  network_misfit,
+  network_above_rounding,
+  network_moves_coefficients,
+  // hybrid
+  structure_beyond_terms,
+  hidden_choice_ignored,
+  // predict
+  inputs_outside_range,
+  // compare with a known truth
+  other_plan_named,
+  inputs_unlike_plan,
+  outputs_unlike_plan,
+};
+[[nodiscard]] std::string_view to_string(Code code) noexcept;
+[[nodiscard]] std::optional<Code> find_code(std::string_view name) noexcept;
+// All of them, in order.
+[[nodiscard]] std::vector<Code> all_codes();
+
+// A number, or a word that is no sentence: a unit, a name.
+struct Figure {
+  Figure(std::string_view figure, double number) : name(figure), value(number) {}
+  Figure(std::string_view figure, std::size_t count) : name(figure), value(static_cast<double>(count)) {}
+  Figure(std::string_view figure, std::string word) : name(figure), value(std::move(word)) {}
+  std::string name;
+  std::variant<double, std::string> value;
+  friend bool operator==(const Figure&, const Figure&) = default;
+};
+
+struct Finding {
+  Code code = Code::verbatim;
+  Severity severity = Severity::note;
+  TermList terms{};                  // that it is about
+  std::vector<std::size_t> lines{};  // of the record's file, or row numbers from 1 where it has none
+  std::vector<Figure> figures{};
+  friend bool operator==(const Finding&, const Finding&) = default;
+};
+
+}  // namespace proofmass

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/identify/options/field_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace proofmass {
+namespace {
+
+// Like std::from_chars, and the text must be a number to its end.
+template <typename Number>
+bool parse(std::string_view text, Number& number) {
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return status == std::errc{} && end == text.data() + text.size();
+}
+
+template <typename Number>
+std::string described(const Range<Number>& range) {
+  const bool bounded = range.high < std::numeric_limits<Number>::max();
+  const std::string low = fmt::format("{} {}", range.above_low ? "more than" : "at least", range.low);
+  if (!bounded) return low;
+  if (range.below_high) return fmt::format("{} and less than {}", low, range.high);
+  if (range.above_low) return fmt::format("{} and at most {}", low, range.high);
+  return fmt::format("from {} to {}", range.low, range.high);
+}
+
+template <typename Number>
+Number read(std::string_view name, std::string_view text, const Range<Number>& range, const char* kind,
+            std::string_view or_word) {
+  Number number{};
+  if (!parse(text, number) || !range.holds(number)) {
+    const std::string description = described(range);
+    throw usage_error(fmt::format("{}: found '{}', expected {}{} {}{}{}", name, excerpt(text), kind,
+                                  description.starts_with("at least") ? " of" : "", description,
+                                  or_word.empty() ? "" : ", or ", or_word));
+  }
+  return number;
+}
+
+}  // namespace
+
+std::string number_as_text(double value, double per_unit) {
+  const double written = value * per_unit;
+  if (per_unit == 1.0 || !std::isfinite(written)) return fmt::format("{}", written);
+  std::string shortest;
+  for (const double number :
+       {written, std::nextafter(written, 0.0), std::nextafter(written, 2.0 * written)}) {
+    std::string text = fmt::format("{}", number);
+    if (number / per_unit == value && (shortest.empty() || text.size() < shortest.size()))
+      shortest = std::move(text);
+  }
+  return shortest.empty() ? fmt::format("{}", written) : shortest;
+}
+
+double read_number(std::string_view name, std::string_view text, const Range<double>& range,
+                   std::string_view or_word) {
+  return read(name, text, range, "a number", or_word);
+}
+
+std::size_t read_number(std::string_view name, std::string_view text, const Range<std::size_t>& range,
+                        std::string_view or_word) {
+  return read(name, text, range, "a whole number", or_word);
+}
+
+std::string range_text(const Range<double>& range) { return described(range); }
+std::string range_text(const Range<std::size_t>& range) { return described(range); }
+
+}  // namespace proofmass

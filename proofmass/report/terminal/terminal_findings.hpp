@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "proofmass/core/finding.hpp"
+#include "proofmass/report/terminal/terminal_text.hpp"
+
+namespace proofmass {
+
+// A line for each finding of that severity.
+void write_findings(TerminalText& out, std::span<const Finding> findings, Severity severity);
+
+}  // namespace proofmass
