@@ -25,6 +25,7 @@ namespace {
 
 // Of all rows: what is refused must not hang on which of them train.
 void require_usable(const Dataset& record, const Method& method) {
+  require_valid_options(method);
   require_plausible_rows(record);
   require_usable_sigmas(record, sigma_columns(method));
 }
@@ -34,14 +35,13 @@ void require_training_rows(const Dataset& record, const Split& split, const Iden
   const std::size_t needed = options.terms.size() + 1;
   if (split.training.size() >= needed || split.training.size() == record.rows()) return;
   std::vector<Remedy> remedies;
-  if (record.rows() >= needed) remedies.push_back({"split", "1"});
+  if (record.rows() >= needed && options.split < 1.0) remedies.push_back({"split", "1"});
   remedies.push_back({"terms", ""});
-  throw bad_data(
-      {.file = record.source, .row = 0, .column = {}},
-      fmt::format("{} rows, {} of them to fit at a split of {}", record.rows(), split.training.size(),
-                  options.split),
-      fmt::format("at least {} to fit, one more than the {} terms asked for", needed, options.terms.size()),
-      std::move(remedies));
+  throw Error(ErrorKind::bad_data,
+              fmt::format("{}: {} rows, {} of them used for fitting (split {}), {} needed for {} terms",
+                          record.source, record.rows(), split.training.size(), options.split, needed,
+                          options.terms.size()),
+              std::move(remedies));
 }
 
 SplitOptions split_of(const Method& method, const IdentifyOptions& options) {

@@ -28,7 +28,7 @@ set(numeric_alone
   optimise/particle_swarm_convergence_test.cpp optimise/particle_swarm_test.cpp regression/robust_regression_test.cpp)
 list(TRANSFORM numeric_alone PREPEND numeric/)
 set(identify_alone
-  network/pso_bp_test.cpp network/swarm_fitness_test.cpp network/trainer_test.cpp regression/tls_test.cpp
+  network/pso_bp_test.cpp network/swarm_fitness_test.cpp network/training/trainer_test.cpp regression/tls_test.cpp
   regression/wls_test.cpp search/gmdh_test.cpp)
 list(TRANSFORM identify_alone PREPEND identify/)
 

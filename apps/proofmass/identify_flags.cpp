@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <cctype>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "initial_swarm.hpp"
@@ -37,10 +39,20 @@ std::string method_help() {
   return text;
 }
 
+// Names keep their case: "sigma_E", "combi: …".
 std::string capitalised(std::string_view text) {
   std::string result(text);
-  if (!result.empty()) result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  const std::size_t end = std::min(text.find(' '), text.size());
+  const bool is_name = text.substr(0, end).find_first_of("_:") != std::string_view::npos;
+  if (!result.empty() && !is_name) {
+    result.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(result.front())));
+  }
   return result;
+}
+
+// " (default 5)"; nothing where the help says what is taken when none is given.
+std::string default_text(std::string_view value) {
+  return value == "default" || value == "none" ? "" : fmt::format(" (default {})", value);
 }
 
 bool takes_preset(Method method) { return apply_paper_preset(method); }
@@ -66,27 +78,32 @@ void set(Options& options, const std::string& name, const std::string& text) {
   try {
     set_option(options, name, text);
   } catch (const Error& error) {
-    throw usage_error(fmt::format("--{}", error.what()));
+    // By its present name; the user may have typed a former one.
+    const std::string_view complaint = error.what();
+    throw usage_error(fmt::format("--{}{}", name, complaint.substr(complaint.find(':'))));
   }
 }
 
 }  // namespace
 
-void IdentifyFlags::add_given(CLI::App& verb, const std::string& name, const std::string& help,
-                              const std::string& type, const std::string& group) {
+CLI::Option* IdentifyFlags::add_given(CLI::App& verb, const std::string& name, const std::string& help,
+                                      const std::string& type, const std::string& group) {
   const auto take = [this, name](const std::string& text) { given_.emplace_back(name, text); };
-  verb.add_option_function<std::string>("--" + name, take, help)->type_name(type)->group(group);
+  return verb.add_option_function<std::string>("--" + name, take, help)->type_name(type)->group(group);
 }
 
 void IdentifyFlags::add_terms(CLI::App& verb) {
   const auto take_model = [this](const std::string& text) {
-    if (word_of(kModelWords, std::string_view(text)) != text) {
+    if (text.empty() || word_of(kModelWords, std::string_view(text)) != text) {
       throw usage_error(
           fmt::format("--model: found '{}', expected one of {}", excerpt(text), list_of(kModelWords)));
     }
     model_ = text;
   };
-  const auto take_terms = [this](const std::string& text) { model_ = text; };
+  const auto take_terms = [this](const std::string& text) {
+    if (text.empty()) throw usage_error("--terms: found nothing, expected names of terms, as K0,Ki");
+    model_ = text;
+  };
   verb.add_option_function<std::string>("--model", take_model, "Terms of the model: a preset (default paper)")
       ->type_name(list_of(kModelWords, "|"));
   verb.add_option_function<std::string>("--terms", take_terms, "Terms of the model, in place of --model")
@@ -98,25 +115,28 @@ void IdentifyFlags::add_common_options(CLI::App& verb) {
   for (const OptionInfo& option : options_of(IdentifyOptions{})) {
     const std::string name(option.name);
     const auto take = [this, name](const std::string& text) { common_.emplace_back(name, text); };
-    verb.add_option_function<std::string>(
-            "--" + name, take, fmt::format("{} (default {})", capitalised(option.help), option.value))
+    verb.add_option_function<std::string>("--" + name, take,
+                                          capitalised(option.help) + default_text(option.value))
         ->type_name(option.type);
   }
 }
 
 void IdentifyFlags::add_method_options(CLI::App& verb) {
   for (const SharedOption& option : shared_options()) {
-    const std::string help = fmt::format("{} (default {})", capitalised(option.info.help), option.defaults);
+    const std::string help = capitalised(option.info.help) + default_text(option.defaults);
     add_given(verb, std::string(option.info.name), help, option.info.type,
               "Options of " + joined(option.methods));
     // Earlier names are understood and not shown.
-    if (!option.info.former.empty()) add_given(verb, std::string(option.info.former), "", "", "");
+    if (!option.info.former.empty()) {
+      add_given(verb, std::string(option.info.former), "", "", "")
+          ->excludes("--" + std::string(option.info.name));
+    }
   }
 }
 
 // Presets and files: they set more than one option.
 void IdentifyFlags::add_whole_settings(CLI::App& verb) {
-  add_given(verb, std::string(kPreset), "Settings to begin with (default default)",
+  add_given(verb, std::string(kPreset), "Settings to begin with: the program's default, or the paper's",
             list_of(kPresetWords, "|"), "Options of " + joined(takers(kPreset)));
   add_given(verb, std::string(kInitialSwarm),
             "Positions to start from: a line a particle, numbers between commas", "FILE",
@@ -162,7 +182,7 @@ std::vector<Method> IdentifyFlags::methods(std::span<const std::string> names) c
       if (name != kPreset) continue;
       if (word_of(kPresetWords, text == "paper") != text) {
         throw usage_error(
-            fmt::format("--preset: found '{}', expected one of {}", text, list_of(kPresetWords)));
+            fmt::format("--preset: found '{}', expected one of {}", excerpt(text), list_of(kPresetWords)));
       }
       if (text == "paper") apply_paper_preset(method);
     }
@@ -185,12 +205,28 @@ Method IdentifyFlags::method() const {
   return methods(std::span(&name, 1)).front();
 }
 
-std::vector<std::pair<std::string, std::string>> IdentifyFlags::more() const {
+std::vector<std::pair<std::string, std::string>> IdentifyFlags::more(const Method& method) const {
   std::vector<std::pair<std::string, std::string>> more;
-  for (const auto& [name, text] : given_) {
-    if (name == kPreset || name == kInitialSwarm) more.emplace_back(name, text);
-  }
+  const auto add = [&](std::string_view setting, std::string value) {
+    if (!takes(method, setting)) return;
+    for (const auto& [name, text] : given_) {
+      if (name == setting) value = text;
+    }
+    more.emplace_back(setting, std::move(value));
+  };
+  add(kPreset, "default");
+  add(kInitialSwarm, "none");
   return more;
+}
+
+void add_given(Provenance& provenance, const Method& method, const IdentifyFlags& flags,
+               const std::map<std::string, std::string>& renamed) {
+  for (auto& option : flags.more(method)) provenance.options.push_back(std::move(option));
+  std::string map;
+  for (const auto& [column, name] : renamed) {
+    map += fmt::format("{}{}={}", map.empty() ? "" : ",", column, name);
+  }
+  provenance.options.emplace_back("map", map);
 }
 
 }  // namespace proofmass::cli

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "proofmass/core/run.hpp"
 #include "proofmass/identify/method.hpp"
 
 namespace proofmass::cli {
@@ -26,16 +28,16 @@ class IdentifyFlags {
   [[nodiscard]] std::vector<Method> methods(std::span<const std::string> names) const;
   // That of --method.
   [[nodiscard]] Method method() const;
-  // What was given beside the methods' options, for provenance.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> more() const;
+  // The preset, and the file of initial positions, where the method takes them: for provenance.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> more(const Method& method) const;
 
  private:
   void add_terms(CLI::App& verb);
   void add_common_options(CLI::App& verb);
   void add_method_options(CLI::App& verb);
   void add_whole_settings(CLI::App& verb);
-  void add_given(CLI::App& verb, const std::string& name, const std::string& help, const std::string& type,
-                 const std::string& group);
+  CLI::Option* add_given(CLI::App& verb, const std::string& name, const std::string& help,
+                         const std::string& type, const std::string& group);
   void require_taken(std::span<const Method> chosen) const;
 
   std::string method_;
@@ -43,5 +45,9 @@ class IdentifyFlags {
   std::vector<std::pair<std::string, std::string>> given_;   // options of methods as name and text
   std::vector<std::pair<std::string, std::string>> common_;  // of all methods, likewise
 };
+
+// Adds to the provenance what the command line gave beside the options of the method.
+void add_given(Provenance& provenance, const Method& method, const IdentifyFlags& flags,
+               const std::map<std::string, std::string>& renamed);
 
 }  // namespace proofmass::cli

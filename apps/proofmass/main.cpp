@@ -48,12 +48,14 @@ void complain(const std::string& message) noexcept {
   std::fputs("\n", stderr);
 }
 
-// What a user can do about an error, as flags.
+// What a user can do about an error, as flags: "--split 1 or --terms K0,Ki,...".
 std::string with_remedies(const Error& error) {
   std::string flags;
   for (const Remedy& remedy : error.remedies()) {
-    flags += fmt::format("{}--{}", flags.empty() ? "" : ", ", remedy.option);
-    if (!remedy.value.empty()) flags += " " + remedy.value;
+    const std::string value = !remedy.value.empty()      ? remedy.value
+                              : remedy.option == "terms" ? "K0,Ki,..."
+                                                         : "X";
+    flags += fmt::format("{}--{} {}", flags.empty() ? "" : " or ", remedy.option, value);
   }
   return flags.empty() ? error.what() : fmt::format("{}\ntry: {}", error.what(), flags);
 }

@@ -8,7 +8,7 @@
 namespace proofmass {
 namespace {
 
-// Results of 0.1.0 know the range of a network alone.
+// Earlier results know the range of a network alone.
 std::vector<std::pair<Axis, Interval>> known_range(const Identification& result) {
   if (!result.input_range.empty() || !result.network) return result.input_range;
   std::vector<std::pair<Axis, Interval>> ranges;
@@ -18,6 +18,13 @@ std::vector<std::pair<Axis, Interval>> known_range(const Identification& result)
   return ranges;
 }
 
+// A network takes all its inputs, a static model those of its terms.
+bool uses(const Identification& result, Axis axis) {
+  if (result.network) return true;
+  return std::any_of(result.coefficients.begin(), result.coefficients.end(),
+                     [axis](const Coefficient& c) { return c.identified && info(c.term).uses(axis); });
+}
+
 }  // namespace
 
 std::optional<Finding> find_extrapolation(const Identification& result, const Dataset& inputs) {
@@ -25,7 +32,7 @@ std::optional<Finding> find_extrapolation(const Identification& result, const Da
   const auto outside = [&](std::size_t row) {
     return std::any_of(ranges.begin(), ranges.end(), [&](const auto& axis_range) {
       const auto& [axis, range] = axis_range;
-      if (!inputs.has(axis)) return false;
+      if (!inputs.has(axis) || !uses(result, axis)) return false;
       const double a = inputs.along(axis)[row];
       return a < range.low || a > range.high;
     });

@@ -16,6 +16,15 @@ Dataset inputs() {
   return data;
 }
 
+Identification of_terms(const TermList& terms) {
+  Identification result;
+  for (const Term term : terms) {
+    result.coefficients.emplace_back();
+    result.coefficients.back().term = term;
+  }
+  return result;
+}
+
 double figure(const Finding& finding, std::string_view name) {
   for (const Figure& one : finding.figures) {
     if (one.name == name) return std::get<double>(one.value);
@@ -24,7 +33,7 @@ double figure(const Finding& finding, std::string_view name) {
 }
 
 TEST(Extrapolation, CountsRowsOutsideTheRangeOfSomeAxis) {
-  Identification result;
+  Identification result = of_terms({Term::Ki, Term::Koo});
   result.input_range = {{Axis::input, {-2.0, 2.0}}, {Axis::output, {-5.0, 5.0}}};
   const auto found = find_extrapolation(result, inputs());
   ASSERT_TRUE(found.has_value());
@@ -35,10 +44,16 @@ TEST(Extrapolation, CountsRowsOutsideTheRangeOfSomeAxis) {
 }
 
 TEST(Extrapolation, IsSilentWithinTheRangeAndWithoutOne) {
-  Identification result;
+  Identification result = of_terms({Term::Ki, Term::Kp});
   EXPECT_FALSE(find_extrapolation(result, inputs()).has_value());
   result.input_range = {{Axis::input, {-2.0, 2.1}}, {Axis::pendulous, {0.0, 0.0}}};
   EXPECT_FALSE(find_extrapolation(result, inputs()).has_value()) << "the ends belong to it; Ap is not given";
+}
+
+TEST(Extrapolation, HeedsOnlyAxesThatTheModelUses) {
+  Identification result = of_terms({Term::K0, Term::Ki});
+  result.input_range = {{Axis::input, {-2.0, 2.1}}, {Axis::output, {-5.0, 5.0}}};
+  EXPECT_FALSE(find_extrapolation(result, inputs()).has_value());
 }
 
 TEST(Extrapolation, TakesANetworksRangeWhereTheResultKnowsNoOther) {

@@ -20,8 +20,9 @@ enum class ErrorKind {
   interrupted,  // the caller asked to stop
 };
 
-// An option that may help, by its name in the tables of options: "on-rank-loss" with the value "drop".
-// Programs say it in their own words: a flag, a keyword. An empty value leaves the value to the user.
+// An option that may help, by its name in the tables of options ("on-rank-loss" with the value "drop"), or
+// "terms". Programs say it in their own words: a flag, a keyword. An empty value leaves the value to the
+// user.
 struct Remedy {
   std::string option;
   std::string value;

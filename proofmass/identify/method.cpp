@@ -55,11 +55,15 @@ const MethodInfo& info(const Method& method) noexcept {
   return std::visit([](const auto& own) -> const MethodInfo& { return own.info; }, method);
 }
 
+void require_valid_options(const Method& method) {
+  std::visit([](const auto& own) { require_in_range(own); }, method);
+}
+
 Identification fit(const Method& method, const Dataset& training, const Dataset& validation,
                    const IdentifyOptions& options, Progress& progress) {
+  require_valid_options(method);
   return std::visit(
       [&](const auto& own) {
-        require_in_range(own);
         if constexpr (own.info.predicts_by_network) {
           return fit(own, training, validation, options, progress);
         } else {
@@ -94,9 +98,8 @@ std::vector<double> predict(const Identification& fit, const Dataset& inputs) {
   if (fit.network) return network_outputs(*fit.network, inputs);
   for (const Method& method : methods()) {
     if (info(method).name == fit.method && info(method).predicts_by_network) {
-      throw bad_data({.file = {}, .row = 0, .column = {}},
-                     "a result of " + fit.method + " without its network",
-                     "the network, which alone predicts as the fit did");
+      throw Error(ErrorKind::bad_data,
+                  "the result of " + fit.method + " comes without its network, which alone predicts");
     }
   }
   const StaticModel model = fit.static_model();

@@ -103,7 +103,10 @@ std::vector<std::pair<std::string, std::string>> resolved_options(const Method& 
   std::vector<std::pair<std::string, std::string>> resolved{{"method", std::string(info(method).name)},
                                                             {"model", model_name(options.terms)}};
   for (const auto& rows : {options_of(options), options_of(method)}) {
-    for (const OptionInfo& row : rows) resolved.emplace_back(row.name, row.value);
+    for (const OptionInfo& row : rows) {
+      resolved.emplace_back(row.name, row.value);
+      if (!row.former.empty()) resolved.emplace_back(row.former, row.value);  // as 0.1.0 called it
+    }
   }
   return resolved;
 }

@@ -91,6 +91,11 @@ void run_compare(const CompareFlags& flags) {
   progress.clear();
   if (truth) score_truth(comparison, record, *truth);
   comparison.findings = std::move(doubts);
+  for (Contestant& contestant : comparison.contestants) {
+    for (Run& run : contestant.runs) {
+      add_given(run.provenance, find_method(contestant.method), flags.identify, columns);
+    }
+  }
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
   if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style()));

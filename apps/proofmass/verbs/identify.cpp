@@ -38,12 +38,7 @@ Run identify(const Dataset& record, const Method& method, const IdentifyOptions&
              const VerbFlags& flags, Progress& progress) {
   const ThreadLimit limit(flags.common.threads);
   Run run = proofmass::identify(record, method, options, progress);
-  for (auto& [name, text] : flags.identify.more()) run.provenance.options.emplace_back(name, text);
-  std::string map;
-  for (const auto& [column, name] : renames(flags.map)) {
-    map += fmt::format("{}{}={}", map.empty() ? "" : ",", column, name);
-  }
-  run.provenance.options.emplace_back("map", map);
+  add_given(run.provenance, method, flags.identify, renames(flags.map));
   return run;
 }
 

@@ -41,8 +41,7 @@ void require_finite(const std::vector<double>& outputs, const Dataset& inputs) {
 }
 
 // A word to standard error, for standard output is the prediction.
-void warn_of_extrapolation(const Identification& fit, const Dataset& inputs, bool quiet) {
-  if (quiet) return;
+void warn_of_extrapolation(const Identification& fit, const Dataset& inputs) {
   if (const auto finding = find_extrapolation(fit, inputs)) {
     std::fputs(fmt::format("proofmass: warning: {}\n", english(*finding)).c_str(), stderr);
   }
@@ -62,7 +61,7 @@ void run_predict(const PredictFlags& flags) {
   std::ostringstream text;
   const std::vector<double> outputs = predict(fit, inputs);
   require_finite(outputs, inputs);
-  warn_of_extrapolation(fit, inputs, flags.common.quiet);
+  warn_of_extrapolation(fit, inputs);
   write_forecast(text, inputs, outputs, fit.output_unit);
   OutputFiles files;
   files.add(flags.out, text.view());

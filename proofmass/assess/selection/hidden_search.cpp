@@ -82,6 +82,9 @@ std::size_t choose_hidden(std::span<const HiddenTrial> trials) {
 std::vector<HiddenTrial> try_hidden_sizes(const Dataset& rows, const Method& method,
                                           const IdentifyOptions& options, std::span<const Split> splits,
                                           Progress& progress) {
+  if (network_options(method) == nullptr) {
+    throw usage_error(fmt::format("{} has no network of a size to choose", info(method).name));
+  }
   const std::size_t repeats = splits.size();
   if (repeats < 2)
     throw usage_error(fmt::format("a search needs at least 2 repeats of each size, got {}", repeats));

@@ -24,9 +24,9 @@ namespace proofmass {
 
 // Trains every size once on each of the splits, number r of them from the starts of the seed plus r, the same
 // for all sizes, and scores it on the rows that the split sets aside (its validation part), which also end
-// the training where it stops early. Sizes with more weights than rows are left out. Throws
-// std::invalid_argument on a method without such a network, a usage Error on fewer than two splits, what the
-// method throws, and its refusal of too few rows when no size is left.
+// the training where it stops early. Sizes with more weights than rows are left out. Throws a
+// usage Error on a method without such a network or fewer than two splits, what the method throws, and its
+// refusal of too few rows when no size is left.
 [[nodiscard]] std::vector<HiddenTrial> try_hidden_sizes(const Dataset& rows, const Method& method,
                                                         const IdentifyOptions& options,
                                                         std::span<const Split> splits, Progress& progress);

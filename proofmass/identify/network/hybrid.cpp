@@ -15,6 +15,7 @@
 #include "proofmass/identify/network/hybrid_network.hpp"
 #include "proofmass/identify/network/hybrid_validation.hpp"
 #include "proofmass/identify/network/scaling.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
 
 namespace proofmass {
@@ -113,6 +114,11 @@ void add_network(Identification& result, Search& found, const Dataset& training)
 
 Identification fit(const Hybrid& method, const Dataset& unordered, const IdentifyOptions& options,
                    Progress& progress) {
+  require_in_range(method);
+  if (method.training.trainer != Trainer::varpro) {
+    throw usage_error(
+        "hybrid trains by variable projection alone: the terms are columns that the trainer solves for");
+  }
   if (std::find(options.terms.begin(), options.terms.end(), Term::K0) == options.terms.end()) {
     throw usage_error("hybrid needs K0 among the terms: its network has a constant of its own");
   }

@@ -108,6 +108,7 @@ HybridFit fit_hybrid(const Hybrid& method, const Dataset& training, const TermLi
 
   const NetworkTrainer trainer(problem.shape, problem.samples, problem.fixed, method.training);
   std::vector<TrainingState> candidates;
+  candidates.reserve(order.size());
   for (const std::size_t i : order) {
     candidates.push_back(trainer.start(swarm.positions[i], RandomStream(seed, stream_id("kick", i))));
   }

@@ -88,13 +88,13 @@ void add_coefficients(Identification& result, const NetworkTask& task, Extractio
   if (TermList differing = differing_terms(result, expansion, terms); !differing.empty()) {
     result.findings.push_back({.code = Code::expansion_differs, .terms = std::move(differing)});
   }
+  const double residual_sd = result.diagnostics.residual_sd.value_or(0.0);
+  note_misfit(result, task, residual_sd);
   if (extraction == Extraction::taylor) {
     use_expansion(result, expansion, terms);
     return;
   }
   result.findings.push_back({.code = Code::coefficients_projected});
-  const double residual_sd = result.diagnostics.residual_sd.value_or(0.0);
-  note_misfit(result, task, residual_sd);
   const double typical =
       residual_sd * std::sqrt(static_cast<double>(terms.size()) / static_cast<double>(task.training.rows()));
   if (projected.induced_deviation > typical) {
@@ -169,7 +169,8 @@ NetworkTask prepare_network(const NetworkOptions& asked, const Dataset& training
     throw bad_data({.file = training.source, .row = 0, .column = ""},
                    fmt::format("{} training rows", ordered.rows()),
                    fmt::format("at least {}: a {}-{}-1 network has {} weights", shape.parameters() + 1,
-                               shape.inputs, shape.hidden, shape.parameters()));
+                               shape.inputs, shape.hidden, shape.parameters()),
+                   {{"hidden", ""}});
   }
   Samples samples = scale_rows(network, ordered);
   std::optional<Samples> validation_samples;

@@ -105,8 +105,8 @@ void require_in_range(const Options& options) {
         good = field.domain.holds(value);
       }
       if (!good) {
-        throw usage_error(std::string(field.name) + ": found " + value_text(field, value) +
-                          ", expected a number " + range_text(field.domain));
+        throw usage_error(std::string(field.name) + ": found " + value_text(field, value) + ", expected " +
+                          range_text(field.domain));
       }
     }
   });

@@ -85,7 +85,8 @@ OrthogonalDistanceFit solve(const Dataset& training, const TermList& terms,
       fmt::format("eiv did not converge: {}; the uncertainties given may be too large for these data, or "
                   "the iterations too few",
                   fit.termination.reason),
-      {{"eiv-iterations", ""}});
+      fit.termination.cause == Cause::iteration_limit ? std::vector<Remedy>{{"eiv-iterations", ""}}
+                                                      : std::vector<Remedy>{});
 }
 
 // Of the output at the accelerations as recorded: what prediction will leave.

@@ -205,7 +205,7 @@ TEST(Eiv, FindsTheFiniteMinimumThatLeastSquaresDoesNotLeadTo) {
 // better.
 TEST(Eiv, ARunawayIsNotConvergence) {
   const Dataset record = points_of({1e-3, -1e-3}, {1.0, 1.0}, {10.0, 11.0}, {1.0, 1.0});
-  expect_refusal(record, parse_terms("Ki"), "the coefficients grow without end", {"eiv-iterations"});
+  expect_refusal(record, parse_terms("Ki"), "the coefficients grow without end");
 }
 
 TEST(Eiv, ConstantsStandForColumns) {

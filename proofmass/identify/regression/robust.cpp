@@ -86,7 +86,9 @@ Finding loss_finding(const RobustFit& fit, bool given, const std::string& unit) 
     case LossKind::student:
       return {.code = Code::student_loss,
               .figures = {{"tuning", fit.loss.tuning},
-                          {"origin", std::string(given ? "given" : "estimated")},
+                          {"origin", std::string(given               ? "given"
+                                                 : fit.scale_floored ? "default"
+                                                                     : "estimated")},
                           {"scale", fit.loss_scale},
                           {"unit", unit}}};
   }

@@ -35,7 +35,8 @@ struct Robust {
   static constexpr auto fields = std::tuple{
       field("loss", &Robust::loss, "loss function", kLossWords, {.place = "robust.md#which-loss"}),
       field("tuning", &Robust::tuning,
-            "constant of the loss: Huber's k (1.345), Tukey's c (4.685), degrees of freedom of t (estimated)",
+            "constant of the loss: Huber's k (default 1.345), Tukey's c (4.685), degrees of freedom of t "
+            "(estimated)",
             between(1e-3, 1e6), {.place = "robust.md#which-loss", .absent = "default"}),
       field("outlier-limit", &Robust::outlier_limit, "robust scales beyond which a row is listed as suspect",
             above(0.0), {.place = "robust.md#suspect-rows"}),

@@ -38,8 +38,8 @@ struct Wls {
       .page = "wls.md"};
   static constexpr auto fields = std::tuple{
       field("weights", &Wls::weights,
-            "sigma_E when there is one, sigma_E, or a model of noise that grows with |A|", kWeightWords,
-            {.place = "wls.md#where-the-weights-come-from"}),
+            "weights by sigma_E when there is one, by sigma_E, or by a model of noise that grows with |A|",
+            kWeightWords, {.place = "wls.md#where-the-weights-come-from"}),
       field("sigma-scale", &Wls::scaling, "standard errors by the sigmas as given, or scaled by chi2/dof",
             kScalingWords, {.place = "wls.md#standard-errors"}),
       field("wls-iterations", &Wls::iterations, "iterations of the variance model, at most", whole(1),

@@ -72,7 +72,8 @@ struct Afsa {
       field("fish-stall", &Afsa::stall_iterations, "end after N iterations without a better best; 0: never",
             whole(0), {.place = "afsa.md#what-it-does"}),
       field("fish-target", &Afsa::target,
-            "end at this root mean square residual, in the output's canonical unit (g, A, V, ...)",
+            "end at this root mean square residual, in g where the output is an acceleration, else in its "
+            "declared unit",
             at_least(0.0), {.place = "afsa.md#what-it-does", .absent = "none"})};
 };
 

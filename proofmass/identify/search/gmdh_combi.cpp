@@ -43,8 +43,9 @@ SubsetSearchResult choose(const SubsetCriterion& criterion, const Dataset& train
                                       .models = options.models,
                                       .tolerance = std::pow(1.0 + options.tolerance, 2) - 1.0,
                                       .floor = rounding_floor(training.output)};
+  const std::size_t most = std::min<std::size_t>(options.models, (std::size_t{1} << criterion.columns()) - 1);
   SubsetSearchResult found = search_subsets(criterion, settings, [&](std::size_t done) {
-    progress.update("gmdh candidates", done, std::max(done, options.models));
+    progress.update("gmdh candidates", done, std::max(done, most));
     return !progress.cancelled();
   });
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted in the search for terms");
@@ -60,7 +61,7 @@ void require_judgeable(const SubsetCriterion& criterion, const Dataset& training
                   "1); measure "
                   "such positions again, ask for fewer terms, or use ols, which does not choose terms",
                   training.source),
-      {{"terms", ""}, {"method", "ols"}});
+      {{"terms", ""}});
 }
 
 TermList chosen_terms(const TermList& candidates, Subset subset) {

@@ -56,21 +56,21 @@ void GramMatrix::add(const GramMatrix& other) {
 }
 
 GramMatrix gram_matrix(const RegressionRows& rows) {
-  const std::size_t shares = row_shares(rows.rows());
-  std::vector<GramMatrix> parts(shares, GramMatrix(rows.scales()));
-  for_each_row_chunk(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
-    add_products(rows, first, last, parts[share]);
+  const std::size_t chunks = row_chunks(rows.rows());
+  std::vector<GramMatrix> parts(chunks, GramMatrix(rows.scales()));
+  for_each_row_chunk(rows.rows(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    add_products(rows, first, last, parts[chunk]);
   });
   return sum_of(parts);
 }
 
 GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> weights) {
   require_weights(weights, rows.rows());
-  const std::size_t shares = row_shares(rows.rows());
-  std::vector<GramMatrix> plain(shares, GramMatrix(rows.scales()));
+  const std::size_t chunks = row_chunks(rows.rows());
+  std::vector<GramMatrix> plain(chunks, GramMatrix(rows.scales()));
   std::vector<GramMatrix> weighted = plain;
-  for_each_row_chunk(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
-    add_products(rows, weights, first, last, plain[share], weighted[share]);
+  for_each_row_chunk(rows.rows(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    add_products(rows, weights, first, last, plain[chunk], weighted[chunk]);
   });
   return {sum_of(plain), sum_of(weighted)};
 }

@@ -28,13 +28,13 @@ std::vector<double> for_scaled_regressors(std::span<const double> coefficients,
 
 double squares_by_rows(const RegressionRows& rows, std::span<const double> scaled_coefficients) {
   constexpr std::size_t step = 32 * RowBlock::kRows;
-  std::vector<CompensatedSum> sums(row_shares(rows.rows()));
-  for_each_row_chunk(rows.rows(), [&](std::size_t share, std::size_t first, std::size_t last) {
+  std::vector<CompensatedSum> sums(row_chunks(rows.rows()));
+  for_each_row_chunk(rows.rows(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
     std::vector<double> residuals(std::min(step, last - first));
     for (std::size_t row = first; row < last; row += step) {
       const std::size_t end = std::min(row + step, last);
       compute_residuals(rows, scaled_coefficients, row, end, residuals);
-      for (std::size_t r = 0; r < end - row; ++r) sums[share].add_product(residuals[r], residuals[r]);
+      for (std::size_t r = 0; r < end - row; ++r) sums[chunk].add_product(residuals[r], residuals[r]);
     }
   });
   CompensatedSum sum;
@@ -156,7 +156,7 @@ std::vector<double> variance_inflation(const GramMatrix& gram) {
 std::vector<double> regression_residuals(const RegressionRows& rows, std::span<const double> coefficients) {
   std::vector<double> residuals(rows.rows());
   const std::vector<double> scaled = for_scaled_regressors(coefficients, rows.scales());
-  for_each_row_chunk(rows.rows(), [&](std::size_t /*share*/, std::size_t first, std::size_t last) {
+  for_each_row_chunk(rows.rows(), [&](std::size_t /*chunk*/, std::size_t first, std::size_t last) {
     compute_residuals(rows, scaled, first, last, std::span(residuals).subspan(first));
   });
   return residuals;
@@ -164,7 +164,7 @@ std::vector<double> regression_residuals(const RegressionRows& rows, std::span<c
 
 std::vector<double> regression_leverages(const RegressionRows& rows, const Matrix& orthogonaliser) {
   std::vector<double> leverages(rows.rows());
-  for_each_row_chunk(rows.rows(), [&](std::size_t /*share*/, std::size_t first, std::size_t last) {
+  for_each_row_chunk(rows.rows(), [&](std::size_t /*chunk*/, std::size_t first, std::size_t last) {
     compute_squared_lengths(rows, orthogonaliser, first, last, std::span(leverages).subspan(first));
   });
   return leverages;

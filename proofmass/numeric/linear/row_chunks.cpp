@@ -20,16 +20,16 @@ std::size_t chunk_rows(std::size_t rows) noexcept {
 
 }  // namespace
 
-std::size_t row_shares(std::size_t rows) noexcept { return (rows + chunk_rows(rows) - 1) / chunk_rows(rows); }
+std::size_t row_chunks(std::size_t rows) noexcept { return (rows + chunk_rows(rows) - 1) / chunk_rows(rows); }
 
 void for_each_row_chunk(std::size_t rows,
                         const std::function<void(std::size_t, std::size_t, std::size_t)>& body) {
   const std::size_t size = chunk_rows(rows);
   const auto run = [&](std::size_t chunk) { body(chunk, chunk * size, std::min(rows, (chunk + 1) * size)); };
-  if (row_shares(rows) == 1) {
+  if (row_chunks(rows) == 1) {
     run(0);  // small problems start no threads
   } else {
-    parallel_for(row_shares(rows), run);
+    parallel_for(row_chunks(rows), run);
   }
 }
 

@@ -8,7 +8,7 @@ namespace proofmass {
 
 // Number of portions for a pass over `rows` rows. It depends only on the number of rows, so that sums do not
 // depend on the number of threads. It is limited, so that memory does not grow with the rows.
-[[nodiscard]] std::size_t row_shares(std::size_t rows) noexcept;
+[[nodiscard]] std::size_t row_chunks(std::size_t rows) noexcept;
 
 // Calls body(portion, first, last) for every portion, in parallel. Portions begin at multiples of
 // RowBlock::kRows.

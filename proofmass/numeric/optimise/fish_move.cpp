@@ -19,9 +19,9 @@ double distance(const Position& a, const Position& b) {
 // A move from `from` towards `to`, at most as far as `to`.
 Position towards(const Position& from, const Position& to, double stroke) {
   const double whole = distance(from, to);
-  const double share = whole > stroke ? stroke / whole : 1.0;
+  const double fraction = whole > stroke ? stroke / whole : 1.0;
   Position result = from;
-  for (std::size_t d = 0; d < from.size(); ++d) result[d] += share * (to[d] - from[d]);
+  for (std::size_t d = 0; d < from.size(); ++d) result[d] += fraction * (to[d] - from[d]);
   return result;
 }
 

@@ -58,8 +58,8 @@ class School {
  private:
   void shrink(std::size_t iteration) {
     if (!settings_.decay) return;
-    const double share = static_cast<double>(iteration - 1) / static_cast<double>(settings_.iterations);
-    const double factor = std::exp(-settings_.decay_rate * std::pow(share, settings_.decay_exponent));
+    const double fraction = static_cast<double>(iteration - 1) / static_cast<double>(settings_.iterations);
+    const double factor = std::exp(-settings_.decay_rate * std::pow(fraction, settings_.decay_exponent));
     visual_ = settings_.visual * factor;
     step_ = settings_.step * factor;
   }

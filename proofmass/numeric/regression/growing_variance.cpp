@@ -80,7 +80,7 @@ ScoreSums score_sums(const VarianceShape& shape, const WeightedFit& fit, double 
 // maximum: sum of slope * (residual² / (factor u²) - (1 - leverage) / u).
 double fraction_score(const VarianceShape& shape, const WeightedFit& fit, double dof, double fraction) {
   const std::size_t rows = fit.residuals.size();
-  std::vector<ScoreSums> parts(row_shares(rows));
+  std::vector<ScoreSums> parts(row_chunks(rows));
   for_each_row_chunk(rows, [&](std::size_t part, std::size_t first, std::size_t last) {
     for (std::size_t row = first; row < last; row += RowBlock::kRows) {
       parts[part].add(score_sums(shape, fit, fraction, row, std::min(row + RowBlock::kRows, last)));

@@ -25,7 +25,7 @@ constexpr int kSettlingRounds = 2;
 constexpr double kUnsettled = 1e-12;
 constexpr double kSettled = 1e-22;
 constexpr int kMostSettlingRounds = 50;
-// What a step gains below this share of the row's sum of squares, rounding hides.
+// What a step gains below this fraction of the row's sum of squares, rounding hides.
 constexpr double kBelowRounding = 1e-12;
 // Where a search for a row's best offsets starts along each input, in standard deviations.
 constexpr std::array kOffsetStarts{0.0, -1.5, 1.5, -3.0, 3.0};

@@ -27,14 +27,15 @@ constexpr double kMostDamping = 1e12;
 constexpr double kRounding = 1e-13;
 // Where a step promises less than this of the sum of squares, rounding of long sums may hide what it gains.
 constexpr double kSmall = 1e-9;
-// The sum of squares stands still when it falls by less than the first share of itself in so many iterations;
-// that is convergence when the Gauss-Newton step from there is shorter than this many standard errors.
+// The sum of squares stands still when it falls by less than the first fraction of itself in so many
+// iterations; that is convergence when the Gauss-Newton step from there is shorter than this many standard
+// errors.
 constexpr double kStandstill = 1e-12;
 constexpr std::size_t kStandstillIterations = 20;
 constexpr double kNegligible = 1e-3;
 constexpr int kOffsetSearches = 10;  // at most
-// A runaway: less than the first share of the rows' variance is the output's own, and the parameters are not
-// so many standard errors from zero, so that twice as large ones would do as well.
+// A runaway: less than the first fraction of the rows' variance is the output's own, and the parameters are
+// not so many standard errors from zero, so that twice as large ones would do as well.
 constexpr double kRunawayShare = 1e-6;
 constexpr double kRunawaySignificance = 1e-3;
 // Variation of the surface, in standard errors, below which further starts are tried.

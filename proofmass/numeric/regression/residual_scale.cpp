@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLeastDistinct = 5;
 constexpr double kOffGrid = 0.02;  // of a step
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kRoundingOfGrid = 64.0 * std::numeric_limits<double>::epsilon();
 constexpr std::size_t kLeastRows = 30;
 constexpr int kSpread = 8;  // points that stand for an even spread
 // Of |r| over sigma for normal residuals: the median, and the 60 % quantile.
@@ -56,7 +56,7 @@ double grid_step(std::span<const double> values) {
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < distinct.size(); ++k) step = std::min(step, distinct[k] - distinct[k - 1]);
   const double largest = std::max(std::abs(distinct.front()), std::abs(distinct.back()));
-  if (!(step > kRounding * largest)) return 0.0;
+  if (!(step > kRoundingOfGrid * largest)) return 0.0;
   for (const double value : distinct) {
     const double steps = (value - distinct.front()) / step;
     const double whole = std::round(steps);

@@ -222,7 +222,8 @@ void finish(const Matrix& design, std::span<const double> y, const Problem& prob
   fit.scale_floored = scale < problem.floor;
   fit.resolution = problem.resolution;
   fit.scale = held_scale(problem, scale, fit.residuals);
-  fit.scale_check = check_scale(fit.residuals, design.columns(), fit.scale, problem.resolution);
+  fit.scale_check =
+      check_scale(fit.residuals, design.columns(), fit.scale, std::max(problem.resolution, problem.floor));
   fit.psi_slope = mean_slope(fit);
   const double factor = variance_factor(fit, static_cast<double>(design.columns()));
   fit.covariance = problem.unscaled_covariance;

@@ -103,7 +103,7 @@ std::vector<Curve> history_of(const JsonNode& node) {
   return curves;
 }
 
-// Before 0.2 a result had sentences alone.
+// Earlier results have sentences alone.
 std::vector<Finding> all_findings_of(const JsonNode& root) {
   if (const auto findings = root.find("findings")) return findings_of(*findings);
   std::vector<Finding> findings;

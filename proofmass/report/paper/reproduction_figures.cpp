@@ -19,7 +19,7 @@ std::vector<PlotSeries> by_step(const std::vector<Curve>& curves) {
 }
 
 PaperFigure curve_figure(std::string name, std::string title, const char* step, const Reproduction& made,
-                    const std::vector<Curve>& curves) {
+                         const std::vector<Curve>& curves) {
   return {.name = std::move(name),
           .plot = {.title = std::move(title),
                    .x_label = step,

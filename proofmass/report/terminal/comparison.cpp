@@ -124,7 +124,10 @@ void write_method_findings(TerminalText& out, const Contestant& contestant, Seve
   std::vector<Finding> said;
   for (const Run& run : contestant.runs) {
     for (const Finding& finding : run.identification.findings) {
-      const auto same = [&finding](const Finding& other) { return other.code == finding.code; };
+      const auto same = [&finding](const Finding& other) {
+        return other.code == finding.code && other.terms == finding.terms &&
+               (finding.code != Code::verbatim || other == finding);
+      };
       if (finding.severity == severity && std::none_of(said.begin(), said.end(), same))
         said.push_back(finding);
     }

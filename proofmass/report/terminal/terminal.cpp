@@ -70,7 +70,7 @@ void write_coefficients(TerminalText& out, std::span<const Coefficient> coeffici
 void write_mape_rows(TerminalText& out, const Identification& result) {
   std::string parts;
   const auto add = [&parts](const char* part, const std::optional<Metrics>& m) {
-    if (!m || m->mape_rows == m->n) return;
+    if (!m || m->mape_rows == m->n || m->mape_rows == 0) return;
     parts += fmt::format("{}{} of {} {} rows", parts.empty() ? "" : ", ", m->mape_rows, m->n, part);
   };
   add("training", result.train);

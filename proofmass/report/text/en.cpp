@@ -208,7 +208,8 @@ std::string_view sentence(Code code) noexcept {
              "(first: line "
              "{line:.0f}): the prediction is an extrapolation there";
     case Code::other_plan_named:
-      return "the record says that it was simulated from {named}, the truth is {plan}";
+      return "the record says that it was simulated from {named}, the truth is {plan}: the distances from "
+             "the truth may mean nothing. Give the record's own plan";
     case Code::inputs_unlike_plan:
       return "the record's accelerations are from {least:.4g} to {largest:.4g} g, those of the truth's plan "
              "from "
