@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Builds the optimised product and runs its tests, within ten minutes on two cores. With --all also under the
-# sanitizers, with the examples against an installed copy, formatting and static analysis, within 25 minutes. Needs
+# sanitizers, with the examples against an installed copy, formatting and static analysis. Needs
 # nothing but this checkout on Debian 12.
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
