@@ -22,7 +22,7 @@ std::array<Method, sizeof...(index)> one_of_each(std::index_sequence<index...>) 
 }
 
 template <typename MethodOrConst>
-auto* network_options_of(MethodOrConst& method) noexcept {
+auto* network_options_of(MethodOrConst& method) {
   using Options = std::conditional_t<std::is_const_v<MethodOrConst>, const NetworkOptions, NetworkOptions>;
   return std::visit(
       [](auto& own) -> Options* {
@@ -51,7 +51,7 @@ Method find_method(std::string_view name) {
   throw usage_error("unknown method '" + excerpt(name) + "'; expected one of " + known);
 }
 
-const MethodInfo& info(const Method& method) noexcept {
+const MethodInfo& info(const Method& method) {
   return std::visit([](const auto& own) -> const MethodInfo& { return own.info; }, method);
 }
 
@@ -63,8 +63,8 @@ Identification fit(const Method& method, const Dataset& training, const Dataset&
                    const IdentifyOptions& options, Progress& progress) {
   require_valid_options(method);
   return std::visit(
-      [&](const auto& own) {
-        if constexpr (own.info.predicts_by_network) {
+      [&](const auto& own) -> Identification {
+        if constexpr (std::remove_cvref_t<decltype(own)>::info.predicts_by_network) {
           return fit(own, training, validation, options, progress);
         } else {
           return fit(own, training, options, progress);
@@ -73,7 +73,7 @@ Identification fit(const Method& method, const Dataset& training, const Dataset&
       method);
 }
 
-SigmaColumns sigma_columns(const Method& method) noexcept {
+SigmaColumns sigma_columns(const Method& method) {
   return std::visit(
       [](const auto& own) {
         if constexpr (requires { own.sigma_columns(); }) {
@@ -85,8 +85,8 @@ SigmaColumns sigma_columns(const Method& method) noexcept {
       method);
 }
 
-NetworkOptions* network_options(Method& method) noexcept { return network_options_of(method); }
-const NetworkOptions* network_options(const Method& method) noexcept { return network_options_of(method); }
+NetworkOptions* network_options(Method& method) { return network_options_of(method); }
+const NetworkOptions* network_options(const Method& method) { return network_options_of(method); }
 
 bool apply_paper_preset(Method& method) {
   if (auto* const bp = std::get_if<Bp>(&method)) return apply_paper_preset(*bp), true;

@@ -34,7 +34,7 @@ using Method = std::variant<Ols, Wls, Robust, Bp, PsoBp, Tls, Eiv, Hybrid, Gmdh,
 // Throws a usage Error listing the names there are when `name` is not among them.
 [[nodiscard]] Method find_method(std::string_view name);
 
-[[nodiscard]] const MethodInfo& info(const Method& method) noexcept;
+[[nodiscard]] const MethodInfo& info(const Method& method);
 
 // Fits the training rows; network methods stop early on the validation rows when there are any, and the
 // others have no use for them. Fills method, coefficients with covariance and standard errors, network,
@@ -48,11 +48,11 @@ using Method = std::variant<Ols, Wls, Robust, Bp, PsoBp, Tls, Eiv, Hybrid, Gmdh,
 void require_valid_options(const Method& method);
 
 // The record's sigma columns that a fit goes by; none for most methods.
-[[nodiscard]] SigmaColumns sigma_columns(const Method& method) noexcept;
+[[nodiscard]] SigmaColumns sigma_columns(const Method& method);
 
 // The options of the method's network; null where it has none of a size that the options say.
-[[nodiscard]] NetworkOptions* network_options(Method& method) noexcept;
-[[nodiscard]] const NetworkOptions* network_options(const Method& method) noexcept;
+[[nodiscard]] NetworkOptions* network_options(Method& method);
+[[nodiscard]] const NetworkOptions* network_options(const Method& method);
 
 // Sets the method as the paper has it; false where the paper says nothing of it.
 bool apply_paper_preset(Method& method);

@@ -21,7 +21,7 @@ bool parse(std::string_view text, Number& number) {
 template <typename Number>
 std::string described(const Range<Number>& range) {
   const bool bounded = std::is_integral_v<Number> || range.high < std::numeric_limits<Number>::max();
-  const std::string low = fmt::format("{} {}", range.above_low ? "more than" : "at least", range.low);
+  std::string low = fmt::format("{} {}", range.above_low ? "more than" : "at least", range.low);
   if (!bounded) return low;
   if (range.below_high) return fmt::format("{} and less than {}", low, range.high);
   if (range.above_low) return fmt::format("{} and at most {}", low, range.high);
