@@ -3,62 +3,30 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 
 namespace proofmass::cli {
 namespace {
-
-// Like std::from_chars, and the text must be a number to its end.
-template <typename Number>
-bool parse(std::string_view text, Number& number) {
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return status == std::errc{} && end == text.data() + text.size();
-}
-
-std::string range_text(const Bounds& bounds) {
-  if (bounds.above_low) return fmt::format("more than {} and at most {}", bounds.low, bounds.high);
-  return fmt::format("from {} to {}", bounds.low, bounds.high);
-}
 
 constexpr std::uint64_t kMostThreads = 1024;
 
 }  // namespace
 
-double real_number(std::string_view option, std::string_view text, const Bounds& bounds) {
-  double number = 0.0;
-  const bool good = parse(text, number) && number <= bounds.high &&
-                    (bounds.above_low ? number > bounds.low : number >= bounds.low);
-  if (!good) {
-    throw usage_error(fmt::format("{}: found '{}', expected a number {}", option, text, range_text(bounds)));
-  }
-  return number;
-}
-
-std::uint64_t whole_number(std::string_view option, std::string_view text, std::uint64_t low,
-                           std::uint64_t high) {
-  std::uint64_t number = 0;
-  if (!parse(text, number) || number < low || number > high) {
-    throw usage_error(
-        fmt::format("{}: found '{}', expected a whole number from {} to {}", option, text, low, high));
-  }
-  return number;
-}
-
-void add_real(CLI::App& verb, const std::string& option, const Bounds& bounds, const std::string& help,
+void add_real(CLI::App& verb, const std::string& option, const Range<double>& range, const std::string& help,
               std::function<void(double)> set) {
-  const auto take = [option, bounds, set = std::move(set)](const std::string& text) {
-    set(real_number(option, text, bounds));
+  const auto take = [option, range, set = std::move(set)](const std::string& text) {
+    set(read_number(option, text, range));
   };
   verb.add_option_function<std::string>(option, take, help)->type_name("X");
 }
 
 void add_whole(CLI::App& verb, const std::string& option, std::uint64_t low, std::uint64_t high,
                const std::string& help, std::function<void(std::uint64_t)> set) {
-  const auto take = [option, low, high, set = std::move(set)](const std::string& text) {
-    set(whole_number(option, text, low, high));
+  const auto take = [option, range = whole(low, high), set = std::move(set)](const std::string& text) {
+    set(read_number(option, text, range));
   };
   verb.add_option_function<std::string>(option, take, help)->type_name("N");
 }

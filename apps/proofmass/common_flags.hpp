@@ -7,9 +7,9 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "proofmass/identify/options/field.hpp"
 #include "proofmass/record/csv/csv.hpp"
 
 namespace proofmass::cli {
@@ -29,19 +29,8 @@ void add_json(CLI::App& verb, std::string& path);
 // twice.
 [[nodiscard]] std::map<std::string, std::string> renames(const std::vector<std::string>& map);
 
-struct Bounds {
-  double low;
-  double high;
-  bool above_low = false;  // low itself is not allowed
-};
-
-// The number that an option's text is. Throws a usage Error with option, text and range.
-[[nodiscard]] double real_number(std::string_view option, std::string_view text, const Bounds& bounds);
-[[nodiscard]] std::uint64_t whole_number(std::string_view option, std::string_view text, std::uint64_t low,
-                                         std::uint64_t high);
-
 // Adds an option whose number goes to `set` when the user gives it.
-void add_real(CLI::App& verb, const std::string& option, const Bounds& bounds, const std::string& help,
+void add_real(CLI::App& verb, const std::string& option, const Range<double>& range, const std::string& help,
               std::function<void(double)> set);
 void add_whole(CLI::App& verb, const std::string& option, std::uint64_t low, std::uint64_t high,
                const std::string& help, std::function<void(std::uint64_t)> set);

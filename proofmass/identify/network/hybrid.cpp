@@ -133,11 +133,8 @@ Identification fit(const Hybrid& method, const Dataset& unordered, const Identif
   // With the terms in its tangent space the fit's projection onto them is that of the data: least squares'
   // coefficients, with the smaller variance of what the network leaves.
   const double variance = rss / static_cast<double>(training.rows() - parameters);
-  for (std::size_t c = 0; c < solution.unscaled_covariance.columns(); ++c) {
-    for (double& value : solution.unscaled_covariance.column(c)) value *= variance;
-  }
   const StaticFit fit{.coefficients = std::move(solution.coefficients),
-                      .covariance = std::move(solution.unscaled_covariance),
+                      .covariance = scaled(std::move(solution.unscaled_covariance), variance),
                       .vif = std::move(solution.vif)};
   Identification result = make_identification("hybrid", training, options, terms, fit);
   add_residual_figures(result.diagnostics, training, rss, parameters);

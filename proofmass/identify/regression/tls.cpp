@@ -111,9 +111,7 @@ Identification fit(const Tls& method, const Dataset& training, const IdentifyOpt
 
   const double ratio = solution.variance_ratio();
   if (method.uncertainty.scaling == ChiSquareScaling::scaled) {
-    for (std::size_t c = 0; c < terms.size(); ++c) {
-      for (double& value : solution.unscaled_covariance.column(c)) value *= ratio;
-    }
+    solution.unscaled_covariance = scaled(std::move(solution.unscaled_covariance), ratio);
   }
   const double rss = residual_square_sum(design, training.output, solution.coefficients);
   Identification result = make_identification("tls", training, options, found,

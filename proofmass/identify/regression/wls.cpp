@@ -156,12 +156,8 @@ bool uses_sigma(const Dataset& training, WeightSource source) {
 }
 
 StaticFit static_fit(const TermSums& sums, const TermList& terms, const Weighted& weighted) {
-  Matrix covariance = weighted.unscaled_covariance;
-  for (std::size_t c = 0; c < covariance.columns(); ++c) {
-    for (double& value : covariance.column(c)) value *= weighted.variance;
-  }
   return {.coefficients = weighted.coefficients,
-          .covariance = std::move(covariance),
+          .covariance = scaled(weighted.unscaled_covariance, weighted.variance),
           .vif = variance_inflation(sums.gram(terms))};
 }
 

@@ -73,13 +73,10 @@ TermList chosen_terms(const TermList& candidates, Subset subset) {
 }
 
 StaticFit refit(const NormalSolution& solution) {
-  StaticFit fit{
-      .coefficients = solution.coefficients, .covariance = solution.unscaled_covariance, .vif = solution.vif};
   const double variance = solution.rss / static_cast<double>(solution.dof);
-  for (std::size_t c = 0; c < fit.covariance.columns(); ++c) {
-    for (double& value : fit.covariance.column(c)) value *= variance;
-  }
-  return fit;
+  return {.coefficients = solution.coefficients,
+          .covariance = scaled(solution.unscaled_covariance, variance),
+          .vif = solution.vif};
 }
 
 void explain_left_out(Identification& result, const TermList& candidates, const SubsetCriterion& criterion,

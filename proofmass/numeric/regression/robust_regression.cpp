@@ -226,10 +226,7 @@ void finish(const Matrix& design, std::span<const double> y, const Problem& prob
       check_scale(fit.residuals, design.columns(), fit.scale, std::max(problem.resolution, problem.floor));
   fit.psi_slope = mean_slope(fit);
   const double factor = variance_factor(fit, static_cast<double>(design.columns()));
-  fit.covariance = problem.unscaled_covariance;
-  for (std::size_t c = 0; c < fit.covariance.columns(); ++c) {
-    for (double& value : fit.covariance.column(c)) value *= factor;
-  }
+  fit.covariance = scaled(problem.unscaled_covariance, factor);
 }
 
 }  // namespace
