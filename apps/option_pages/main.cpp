@@ -25,6 +25,7 @@ void print_header(const std::string& title) {
 
 void print_row(const OptionInfo& option, const std::string& value) {
   std::string meaning(option.help);
+  if (!option.unit.empty()) meaning.append(", in ").append(option.unit);
   if (!option.range.empty()) meaning += "; " + option.range;
   const std::string_view place = option.place;
   std::printf("| `--%s %s` | %s | %s ([more](%s)) |\n", std::string(option.name).c_str(),

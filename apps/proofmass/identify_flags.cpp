@@ -89,7 +89,10 @@ void set(Options& options, const std::string& name, const std::string& text) {
 CLI::Option* IdentifyFlags::add_given(CLI::App& verb, const std::string& name, const std::string& help,
                                       const std::string& type, const std::string& group) {
   const auto take = [this, name](const std::string& text) { given_.emplace_back(name, text); };
-  return verb.add_option_function<std::string>("--" + name, take, help)->type_name(type)->group(group);
+  return verb.add_option_function<std::string>("--" + name, take, help)
+      ->type_name(type)
+      ->group(group)
+      ->take_last();
 }
 
 void IdentifyFlags::add_terms(CLI::App& verb) {
@@ -117,13 +120,15 @@ void IdentifyFlags::add_common_options(CLI::App& verb) {
     const auto take = [this, name](const std::string& text) { common_.emplace_back(name, text); };
     verb.add_option_function<std::string>("--" + name, take,
                                           capitalised(option.help) + default_text(option.value))
-        ->type_name(option.type);
+        ->type_name(option.type)
+        ->take_last();
   }
 }
 
 void IdentifyFlags::add_method_options(CLI::App& verb) {
   for (const SharedOption& option : shared_options()) {
-    const std::string help = capitalised(option.info.help) + default_text(option.defaults);
+    const std::string unit = option.info.unit.empty() ? "" : fmt::format(", in {}", option.info.unit);
+    const std::string help = capitalised(option.info.help) + unit + default_text(option.defaults);
     add_given(verb, std::string(option.info.name), help, option.info.type,
               "Options of " + joined(option.methods));
     // Earlier names are understood and not shown.

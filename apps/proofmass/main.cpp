@@ -17,6 +17,7 @@
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/version.hpp"
+#include "proofmass/report/text/en.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -48,16 +49,22 @@ void complain(const std::string& message) noexcept {
   std::fputs("\n", stderr);
 }
 
-// What a user can do about an error, as flags: "--split 1 or --terms K0,Ki,...".
-std::string with_remedies(const Error& error) {
+// Why, and what a user can do about it, as flags: "--split 1 or --terms K0,Ki,...".
+std::string explained(const Error& error) {
+  std::string text = error.what();
+  for (const Finding& finding : error.findings()) text += "\n  " + english(finding);
   std::string flags;
   for (const Remedy& remedy : error.remedies()) {
     const std::string value = !remedy.value.empty()      ? remedy.value
                               : remedy.option == "terms" ? "K0,Ki,..."
                                                          : "X";
-    flags += fmt::format("{}--{} {}", flags.empty() ? "" : " or ", remedy.option, value);
+    flags += fmt::format("{}--{} {}",
+                         flags.empty()          ? ""
+                         : remedy.with_previous ? " "
+                                                : " or ",
+                         remedy.option, value);
   }
-  return flags.empty() ? error.what() : fmt::format("{}\ntry: {}", error.what(), flags);
+  return flags.empty() ? text : fmt::format("{}\ntry: {}", text, flags);
 }
 
 // A word that should have been a verb; CLI11 would only say that a verb is missing.
@@ -116,7 +123,7 @@ int main(int argc, char** argv) {
   try {
     return proofmass::cli::dispatch(argc, argv);
   } catch (const proofmass::Error& error) {
-    proofmass::cli::complain(proofmass::cli::with_remedies(error));
+    proofmass::cli::complain(proofmass::cli::explained(error));
     return proofmass::exit_code(error.kind());
   } catch (const std::bad_alloc&) {
     proofmass::cli::complain("out of memory");

@@ -46,9 +46,9 @@ TEST(Inspection, JudgesEveryPreset) {
   EXPECT_EQ(join_names(inspection.presets[0].found.identified), "K0, Ki, Ko");
   const PresetVerdict& full = inspection.presets[3];
   EXPECT_EQ(full.rows_needed, 22U);
-  EXPECT_EQ(full.found.identified.size() + full.found.lost.size(), 21U);
-  EXPECT_EQ(full.found.lost.size(), 10U);  // every product with Ap
-  for (const auto& lost : full.found.lost) EXPECT_EQ(lost.reason, "the record has no column Ap");
+  EXPECT_EQ(full.found.identified.size() + full.found.unidentified.size(), 21U);
+  EXPECT_EQ(full.found.unidentified.size(), 10U);  // every product with Ap
+  for (const Finding& finding : full.found.unidentified) EXPECT_EQ(finding.code, Code::term_without_column);
 }
 
 TEST(Inspection, RefusesValuesBeyondArithmetic) {

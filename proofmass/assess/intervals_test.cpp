@@ -44,7 +44,6 @@ TEST(Uncertainty, NothingThatIsNotANumber) {
   Coefficient lost;
   lost.identified = false;
   lost.standard_error = 1.0;
-  lost.reason = "lost";
   saturated.coefficients.push_back(lost);
   add_intervals(saturated);
   for (const Coefficient& coefficient : saturated.coefficients) EXPECT_FALSE(coefficient.ci95.has_value());

@@ -58,8 +58,8 @@ Error cannot_open(std::string_view file, int error_number) {
 
 Error usage_error(const std::string& message) { return {ErrorKind::usage, message}; }
 
-Error refusal(const std::string& message, std::vector<Remedy> remedies) {
-  return {ErrorKind::refused, message, std::move(remedies)};
+Error refusal(const std::string& message, std::vector<Remedy> remedies, std::vector<Finding> findings) {
+  return {ErrorKind::refused, message, std::move(remedies), std::move(findings)};
 }
 
 int exit_code(ErrorKind kind) noexcept {

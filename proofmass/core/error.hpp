@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "proofmass/core/finding.hpp"
+
 namespace proofmass {
 
 enum class ErrorKind {
@@ -26,18 +28,26 @@ enum class ErrorKind {
 struct Remedy {
   std::string option;
   std::string value;
+  bool with_previous = false;  // helps together with the one before it only
 };
 
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message, std::vector<Remedy> remedies = {})
-      : std::runtime_error(message), kind_(kind), remedies_(std::move(remedies)) {}
+  Error(ErrorKind kind, const std::string& message, std::vector<Remedy> remedies = {},
+        std::vector<Finding> findings = {})
+      : std::runtime_error(message),
+        kind_(kind),
+        remedies_(std::move(remedies)),
+        findings_(std::move(findings)) {}
   [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
   [[nodiscard]] const std::vector<Remedy>& remedies() const noexcept { return remedies_; }
+  // What led to it, such as why each term is not identified; their sentences are in report/text.
+  [[nodiscard]] const std::vector<Finding>& findings() const noexcept { return findings_; }
 
  private:
   ErrorKind kind_;
   std::vector<Remedy> remedies_;
+  std::vector<Finding> findings_;
 };
 
 // The place of a fault in a file. Row 0 means the whole file. Rows count lines from 1 as an editor does,
@@ -62,7 +72,8 @@ struct Place {
 [[nodiscard]] Error cannot_open(std::string_view file, int error_number);
 
 [[nodiscard]] Error usage_error(const std::string& message);
-[[nodiscard]] Error refusal(const std::string& message, std::vector<Remedy> remedies = {});
+[[nodiscard]] Error refusal(const std::string& message, std::vector<Remedy> remedies = {},
+                            std::vector<Finding> findings = {});
 
 // The process exit code: 1 internal, 2 usage, 3 bad data, 4 refused, 130 interrupted.
 [[nodiscard]] int exit_code(ErrorKind kind) noexcept;

@@ -24,8 +24,14 @@ enum class Severity : std::uint8_t {
 // What was found. Each has a name in snake case, which is its value in JSON, and a sentence in report/text.
 enum class Code : std::uint8_t {
   verbatim,  // a sentence of another version's result, in the figure "text"
+  // Why a term is not identified: the first of the terms; the others are those that it is aliased with.
+  term_without_column,
+  term_input_zero,
+  term_aliased,
+  term_beyond_rows,
+  term_left_out,
+  term_without_expansion,
   // Any method.
-  term_not_identified,
   inputs_collinear,
   terms_apart_by_rounding,
   rounding_costs_digits,
@@ -36,6 +42,7 @@ enum class Code : std::uint8_t {
   weights_from_sigma,
   weights_from_model,
   variance_does_not_grow,
+  scaling_unused,
   sigma_output_taken,
   sigma_output_scaled,
   sigma_output_too_small,
@@ -65,6 +72,7 @@ enum class Code : std::uint8_t {
   layers_expanded,
   layers_beyond_terms,
   layers_without_errors,
+  layers_short_of_optimum,
   pairs_discarded,
   // afsa
   search_short_of_optimum,
@@ -91,7 +99,7 @@ enum class Code : std::uint8_t {
 // All of them, in order.
 [[nodiscard]] std::vector<Code> all_codes();
 
-// A number, or a word that is no sentence: a unit, a name.
+// A number, or a word that is no sentence: a unit, a name, or a choice by its name in a table of options.
 struct Figure {
   Figure(std::string_view figure, double number) : name(figure), value(number) {}
   Figure(std::string_view figure, std::size_t count) : name(figure), value(static_cast<double>(count)) {}

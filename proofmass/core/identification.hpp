@@ -32,7 +32,7 @@ struct Coefficient {
   std::optional<double> vif;             // variance inflation factor
   bool identified = true;
   bool left_out = false;  // not identified by the method's choice though the rows could: it counts as zero
-  std::string reason;     // why it is not identified, naming the terms it is confounded with
+  std::optional<Finding> reason{};  // why it is not identified
 };
 
 // Fraction of the range of the measured outputs below which an output has no relative error.

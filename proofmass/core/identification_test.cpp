@@ -28,7 +28,7 @@ Identification in_milliamperes() {
   result.coefficients = {estimate(Term::K0, 0.004, 0.01), estimate(Term::Ki, -1.25, 0.02),
                          estimate(Term::Kii, 7.0, 0.0), estimate(Term::Ko, 0.5, 0.03)};
   result.coefficients[2].identified = false;
-  result.coefficients[2].reason = "confounded with K0";
+  result.coefficients[2].reason = {.code = Code::term_aliased, .terms = {Term::Kii, Term::K0}};
   result.covariance = {1e-4,  5e-5, -1e-4,  //
                        5e-5,  4e-4, 3e-4,   //
                        -1e-4, 3e-4, 9e-4};
@@ -105,7 +105,7 @@ TEST(ReferredToInput, KiIsOneByDefinition) {
 TEST(ReferredToInput, KeepsWhyATermIsNotIdentified) {
   const Coefficient kii = referred_to_input(in_milliamperes())[2];
   EXPECT_FALSE(kii.identified);
-  EXPECT_EQ(kii.reason, "confounded with K0");
+  EXPECT_EQ(kii.reason, (Finding{.code = Code::term_aliased, .terms = {Term::Kii, Term::K0}}));
 }
 
 TEST(ReferredToInput, GivesNoErrorsWithoutACovariance) {

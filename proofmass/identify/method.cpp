@@ -61,7 +61,6 @@ void require_valid_options(const Method& method) {
 
 Identification fit(const Method& method, const Dataset& training, const Dataset& validation,
                    const IdentifyOptions& options, Progress& progress) {
-  require_valid_options(method);
   return std::visit(
       [&](const auto& own) -> Identification {
         if constexpr (std::remove_cvref_t<decltype(own)>::info.predicts_by_network) {

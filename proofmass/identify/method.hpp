@@ -44,7 +44,8 @@ using Method = std::variant<Ols, Wls, Robust, Bp, PsoBp, Tls, Eiv, Hybrid, Gmdh,
 [[nodiscard]] Identification fit(const Method& method, const Dataset& training, const Dataset& validation,
                                  const IdentifyOptions& options, Progress& progress);
 
-// Throws a usage Error when an option of the method is outside its range; fit of any Method does that first.
+// Throws a usage Error when an option of the method is outside its range; so does every fit, before it
+// starts.
 void require_valid_options(const Method& method);
 
 // The record's sigma columns that a fit goes by; none for most methods.

@@ -17,6 +17,7 @@ OptionInfo row_of(const Field& field, const auto& value) {
                  .place = field.notes.place,
                  .type = {},
                  .range = {},
+                 .unit = field.notes.unit,
                  .value = value_text(field, value)};
   if constexpr (requires { field.domain.low; }) {
     row.type = std::is_same_v<decltype(field.domain.low), double> ? "X" : "N";

@@ -19,6 +19,7 @@ struct OptionInfo {
   std::string_view place;   // in the documentation
   std::string type;         // what stands for a value: "N", "X", "on|off", "N|search"
   std::string range;        // "at least 1"; empty for choices
+  std::string_view unit;    // that values are written in; empty where they have none
   std::string value;        // of the table it was read from: the default, of a method in its defaults
 };
 

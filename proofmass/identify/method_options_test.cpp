@@ -190,6 +190,36 @@ TEST(MethodOptions, MicroGsAreKeptInGs) {
   EXPECT_DOUBLE_EQ(std::get<Eiv>(eiv).uncertainty.input.value(), 2e-4);
 }
 
+// Whoever fills in a struct is told as well, before anything is computed.
+TEST(MethodOptions, EveryFitRefusesANumberOutsideItsRange) {
+  SilentProgress progress;
+  for (const Method& method : methods()) {
+    Method changed = method;
+    bool has_number = false;
+    std::visit(
+        [&has_number](auto& own) {
+          for_each_field(own, std::remove_reference_t<decltype(own)>::fields,
+                         [&](const auto& field, auto& value) {
+                           if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, std::size_t>) {
+                             if (field.domain.low == 0 || has_number) return;
+                             value = 0;
+                             has_number = true;
+                           }
+                         });
+        },
+        changed);
+    if (!has_number) continue;
+    SCOPED_TRACE(info(method).name);
+    try {
+      (void)fit(changed, {}, {}, {}, progress);
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+      EXPECT_THAT(error.what(), testing::HasSubstr(": found '0', expected a whole number"));
+    }
+  }
+}
+
 // --- Names -------------------------------------------------------------------------------------------------
 
 TEST(MethodOptions, FormerNamesStillWork) {

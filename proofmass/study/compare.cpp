@@ -38,7 +38,10 @@ Comparison compare(const Dataset& record, std::span<const Entry> entries, std::s
     try {
       comparison.contestants.push_back(contest(record, entry, repeats, progress));
     } catch (const Error& error) {
-      throw Error(error.kind(), fmt::format("{}: {}", entry.name, error.what()), error.remedies());
+      const std::string_view what = error.what();
+      const std::string named =
+          what.starts_with(entry.name) ? std::string(what) : entry.name + ": " + error.what();
+      throw Error(error.kind(), named, error.remedies(), error.findings());
     }
   }
   return comparison;

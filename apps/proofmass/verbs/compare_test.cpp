@@ -102,7 +102,7 @@ TEST_F(CompareVerb, RefusesWhatMakesNoSenseAndWritesNothing) {
   expect_failure(proofmass({"compare", record, "--methods", "ols,ols"}), 2, {"'ols' is listed twice"});
   expect_failure(proofmass({"compare", record, "--methods", "ols", "--repeats", "0"}), 2, {"--repeats"});
   expect_failure(proofmass({"compare", record, "--methods", "ols,eiv", "--json", at("c.json")}), 4,
-                 {"eiv: ", "--sigma-output-ug"});
+                 {"eiv needs", "--sigma-output-ug X --sigma-input-ug X"});
   expect_failure(proofmass({"compare", record, "--methods", "ols", "--truth", at("none.toml")}), 3,
                  {"none.toml"});
   expect_failure(proofmass({"compare", record, "--methods", "ols", "--json", record}), 2, {"run.csv"});

@@ -43,57 +43,42 @@ void clear_rounding(GramMatrix& gram, const TermList& terms, const AxisRanges& r
   }
 }
 
-std::string zero_reason(Term term, const Dataset& data, const AxisRanges& ranges) {
+// Of a term whose regressor is zero in every row.
+Finding zero_finding(Term term, const Dataset& data, const AxisRanges& ranges) {
   for (const Axis axis : kAxes) {
     if (info(term).uses(axis) && !data.has(axis)) {
-      return fmt::format("the record has no column {}", axis_name(axis));
+      return {.code = Code::term_without_column,
+              .terms = {term},
+              .figures = {{"column", std::string(axis_name(axis))}}};
     }
   }
+  std::string_view zero = info(term).product;
   for (const Axis axis : kAxes) {
     if (info(term).uses(axis) && ranges[static_cast<std::size_t>(axis)] == 0.0) {
-      return fmt::format("{} is zero in every row", axis_name(axis));
+      zero = axis_name(axis);
+      break;
     }
   }
-  return fmt::format("{} is zero in every row", info(term).product);
+  return {.code = Code::term_input_zero, .terms = {term}, .figures = {{"product", std::string(zero)}}};
 }
 
-std::string confounded_reason(Term term, const TermList& others) {
-  const auto product = info(term).product;
-  if (others == TermList{Term::K0}) {
-    return fmt::format("confounded with K0: {} is the same in every row", product);
-  }
-  if (others.size() == 1) {
-    return fmt::format("confounded with {}: over these rows {} is proportional to {}", join_names(others),
-                       product, info(others.front()).product);
-  }
-  std::string products;
-  for (const Term other : others)
-    products += fmt::format("{}{}", products.empty() ? "" : ", ", info(other).product);
-  return fmt::format("confounded with {}: over these rows {} is a combination of {}", join_names(others),
-                     product, products);
-}
-
-std::string loss_reason(const Unidentifiable& lost, const Dataset& data, const AxisRanges& ranges) {
-  if (lost.confounded_with.empty()) return zero_reason(lost.term, data, ranges);
-  return confounded_reason(lost.term, lost.confounded_with);
-}
-
-// The terms other than `lost` that the vanishing combination holds.
-TermList support(const std::vector<double>& combination, const TermList& terms, Term lost, double threshold) {
+// The terms other than `term` that the vanishing combination holds.
+TermList support(const std::vector<double>& combination, const TermList& terms, Term term, double threshold) {
   TermList others;
   for (std::size_t c = 0; c < terms.size(); ++c) {
-    if (terms[c] != lost && std::abs(combination[c]) > threshold) others.push_back(terms[c]);
+    if (terms[c] != term && std::abs(combination[c]) > threshold) others.push_back(terms[c]);
   }
   std::sort(others.begin(), others.end());
   return others;
 }
 
-std::string loss_message(const Dataset& data, const TermList& terms, const Identifiability& found) {
-  std::string message =
-      fmt::format("{}: the inputs cannot identify {} of the {} terms asked for:", data.source,
-                  found.lost.size(), terms.size());
-  for (const auto& lost : found.lost) message += fmt::format("\n  {}: {}", name(lost.term), lost.reason);
-  return message + "\nFit without them, ask for fewer terms, or test in more mounts.";
+Error not_identifiable(const Dataset& data, const TermList& terms, Identifiability found) {
+  TermList names;
+  for (const Finding& finding : found.unidentified) names.push_back(finding.terms.front());
+  return refusal(fmt::format("{}: the inputs cannot identify {} of the {} terms asked for: {}. Fit without "
+                             "them, ask for fewer terms, or test in more mounts",
+                             data.source, names.size(), terms.size(), join_names(names)),
+                 terms_remedies(found.identified), std::move(found.unidentified));
 }
 
 void require_rows(const Dataset& data, const TermList& terms) {
@@ -137,6 +122,18 @@ void require_varying_output(const TermSums& sums) {
 
 }  // namespace
 
+std::vector<Remedy> terms_remedies(const TermList& identified) {
+  if (identified.empty()) return {};
+  std::string names;
+  for (const Term term : identified) names.append(names.empty() ? "" : ",").append(name(term));
+  return {{"on-rank-loss", "drop"}, {"terms", names}};
+}
+
+void sort_by_term(std::vector<Finding>& findings) {
+  std::sort(findings.begin(), findings.end(),
+            [](const Finding& a, const Finding& b) { return a.terms.front() < b.terms.front(); });
+}
+
 void require_plausible_rows(const Dataset& record) {
   for (const Axis axis : record.axes()) {
     require_rows_up_to(kLargestAcceleration, record, record.along(axis), axis_name(axis));
@@ -168,28 +165,32 @@ Identifiability analyse_identifiability(const TermSums& sums, const TermList& te
   const RankAnalysis analysis = analyse_rank(gram);
 
   Identifiability result{.identified = {},
-                         .lost = {},
+                         .unidentified = {},
                          .condition_raw = analysis.condition_raw,
                          .condition_scaled = analysis.condition_scaled};
   // Rounding in a combination's elements grows with the condition of the columns it is made of.
   const double threshold = std::max(1e-12, kRoundingZero * analysis.condition_scaled);
-  for (std::size_t c = 0, next_lost = 0; c < ordered.size(); ++c) {
+  for (std::size_t c = 0, next = 0; c < ordered.size(); ++c) {
     const Term term = ordered[c];
     if (std::binary_search(analysis.independent.begin(), analysis.independent.end(), c)) {
       result.identified.push_back(term);
       continue;
     }
-    const auto& combination = analysis.null_space[next_lost++];
-    Unidentifiable lost{
-        .term = term, .confounded_with = support(combination, ordered, term, threshold), .reason = {}};
-    lost.reason = analysis.rank == data.rows() && !lost.confounded_with.empty()
-                      ? fmt::format("{} rows settle no more than {} terms", data.rows(), data.rows())
-                      : loss_reason(lost, data, ranges);
-    result.lost.push_back(std::move(lost));
+    const auto& combination = analysis.null_space[next++];
+    TermList terms_of_combination = support(combination, ordered, term, threshold);
+    if (terms_of_combination.empty()) {
+      result.unidentified.push_back(zero_finding(term, data, ranges));
+      continue;
+    }
+    const bool every_row_counts = analysis.rank == data.rows();
+    terms_of_combination.insert(terms_of_combination.begin(), term);
+    Finding finding{.code = every_row_counts ? Code::term_beyond_rows : Code::term_aliased,
+                    .terms = std::move(terms_of_combination)};
+    if (every_row_counts) finding.figures = {{"rows", data.rows()}};
+    result.unidentified.push_back(std::move(finding));
   }
   std::sort(result.identified.begin(), result.identified.end());
-  std::sort(result.lost.begin(), result.lost.end(),
-            [](const auto& a, const auto& b) { return a.term < b.term; });
+  sort_by_term(result.unidentified);
   return result;
 }
 
@@ -203,9 +204,10 @@ Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy
   require_rows(sums.data(), sums.terms());
   require_varying_output(sums);
   Identifiability found = analyse_identifiability(sums, sums.terms());
-  const bool refused = policy == RankLossPolicy::refuse ? !found.lost.empty() : found.identified.empty();
+  const bool refused =
+      policy == RankLossPolicy::refuse ? !found.unidentified.empty() : found.identified.empty();
   if (refused) {
-    throw refusal(loss_message(sums.data(), sums.terms(), found), {{"on-rank-loss", "drop"}, {"terms", ""}});
+    throw not_identifiable(sums.data(), sums.terms(), std::move(found));
   }
   return found;
 }

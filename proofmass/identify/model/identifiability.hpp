@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
-#include "proofmass/core/identification.hpp"
+#include "proofmass/core/error.hpp"
+#include "proofmass/core/finding.hpp"
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
 #include "proofmass/identify/options/identify_options.hpp"
 
 namespace proofmass {
 
-// A term that the record's inputs cannot identify, and why.
-struct Unidentifiable {
-  Term term = Term::K0;
-  // The identified terms that it is a combination of over the record's rows; empty when its regressor is zero
-  // in every row, or its axis is missing.
-  std::vector<Term> confounded_with;
-  std::string reason;  // "confounded with Kii: over these rows |Ai|*Ai is proportional to Ai^2", …
-};
-
 struct Identifiability {
   TermList identified;  // a largest separable subset of the terms asked for; lower-order terms are kept first
-  std::vector<Unidentifiable> lost;                    // canonical order
+  // Why each other term is not: the first of the finding's terms, in canonical order. The identified terms
+  // that it is a combination of over the rows, if there are any, follow it.
+  std::vector<Finding> unidentified;
   double condition_raw = 0.0, condition_scaled = 0.0;  // of the identified terms' design matrix
 };
 
@@ -35,13 +28,19 @@ struct Identifiability {
 [[nodiscard]] Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms);
 
 // The terms to fit. Throws a bad-data Error when the record has fewer rows than terms + 1 (saying how many
-// are needed) or a constant output; a refusal that names every lost term and its reason when some are lost
-// and the policy is refuse, or when none is left; a usage Error when `terms` is empty.
+// are needed) or a constant output; a refusal that names every unidentifiable term, and has its finding, when
+// there are some and the policy is refuse, or when no term is left; a usage Error when `terms` is empty.
 [[nodiscard]] Identifiability require_identifiable(const Dataset& data, const TermList& terms,
                                                    RankLossPolicy policy);
 
 // The same for the terms summed, which the caller then fits from the same sums.
 [[nodiscard]] Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy);
+
+// What to ask for where only these terms are identified; nothing where none is.
+[[nodiscard]] std::vector<Remedy> terms_remedies(const TermList& identified);
+
+// In the canonical order of each finding's first term.
+void sort_by_term(std::vector<Finding>& findings);
 
 // Throws bad data, naming the row, when an acceleration or output is so large that products with it leave the
 // range of double precision.

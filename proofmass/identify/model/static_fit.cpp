@@ -21,19 +21,6 @@ constexpr double kConditionLimit = 1e8;
 // text.
 constexpr double kRoundingLimit = 1e5;
 
-void add_loss_findings(const Identifiability& found, std::vector<Finding>& findings) {
-  for (const auto& lost : found.lost) {
-    std::string reason = lost.reason;
-    if (!lost.confounded_with.empty()) {
-      reason +=
-          fmt::format("; whatever it contributes is in the value of {}", join_names(lost.confounded_with));
-    }
-    findings.push_back({.code = Code::term_not_identified,
-                        .terms = {lost.term},
-                        .figures = {{"reason", std::move(reason)}}});
-  }
-}
-
 void add_condition_findings(const Identification& result, std::vector<Finding>& findings) {
   Finding collinear{.code = Code::inputs_collinear};
   std::string inflated;
@@ -58,12 +45,12 @@ void add_condition_findings(const Identification& result, std::vector<Finding>& 
   }
 }
 
-Coefficient lost_coefficient(Term term, const Identifiability& found) {
+Coefficient unidentified_coefficient(Term term, const Identifiability& found) {
   Coefficient coefficient;
   coefficient.term = term;
   coefficient.identified = false;
-  for (const auto& lost : found.lost) {
-    if (lost.term == term) coefficient.reason = lost.reason;
+  for (const Finding& finding : found.unidentified) {
+    if (finding.terms.front() == term) coefficient.reason = finding;
   }
   return coefficient;
 }
@@ -130,7 +117,7 @@ Identification make_identification(std::string_view method, const Dataset& train
   for (const Term term : options.terms) {
     const bool identified = next < found.identified.size() && found.identified[next] == term;
     result.coefficients.push_back(identified ? fitted_coefficient(term, next, fit)
-                                             : lost_coefficient(term, found));
+                                             : unidentified_coefficient(term, found));
     if (identified) ++next;
   }
   // Symmetric, so that column-major and row-major agree.
@@ -138,7 +125,7 @@ Identification make_identification(std::string_view method, const Dataset& train
                            fit.covariance.data() + fit.covariance.rows() * fit.covariance.rows());
   result.diagnostics.condition_raw = found.condition_raw;
   result.diagnostics.condition_scaled = found.condition_scaled;
-  add_loss_findings(found, result.findings);
+  result.findings = found.unidentified;
   add_condition_findings(result, result.findings);
   return result;
 }

@@ -10,6 +10,7 @@
 #include "proofmass/identify/network/result.hpp"
 #include "proofmass/identify/network/training/refinement.hpp"
 #include "proofmass/identify/network/training/starts.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/numeric/random.hpp"
 
@@ -45,6 +46,7 @@ std::vector<TrainingState> best_starts(const NetworkTask& task, const NetworkTra
 
 Identification fit(const Bp& method, const Dataset& training, const Dataset& validation,
                    const IdentifyOptions& options, Progress& progress) {
+  require_in_range(method);
   const NetworkTask task = prepare_network(method.network, training, validation, options);
   const NetworkTrainer trainer(task.shape, task.samples, task.validation ? &*task.validation : nullptr,
                                method.network.training);

@@ -115,10 +115,6 @@ void add_network(Identification& result, Search& found, const Dataset& training)
 Identification fit(const Hybrid& method, const Dataset& unordered, const IdentifyOptions& options,
                    Progress& progress) {
   require_in_range(method);
-  if (method.training.trainer != Trainer::varpro) {
-    throw usage_error(
-        "hybrid trains by variable projection alone: the terms are columns that the trainer solves for");
-  }
   if (std::find(options.terms.begin(), options.terms.end(), Term::K0) == options.terms.end()) {
     throw usage_error("hybrid needs K0 among the terms: its network has a constant of its own");
   }

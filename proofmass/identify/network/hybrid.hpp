@@ -23,8 +23,9 @@ struct Hybrid {
   std::size_t patience = 2;     // sizes without a better criterion that end the search
   std::size_t particles = 30;   // of the swarm over the hidden weights
   std::size_t iterations = 20;
-  std::size_t refined = 8;  // best particles trained to the end
-  TrainingOptions training{.epochs = 300};
+  std::size_t refined = 8;   // best particles trained to the end
+  std::size_t epochs = 300;  // of the training of a candidate by variable projection, at most
+  std::size_t perturbations = TrainingOptions{}.perturbations;
 
   static constexpr MethodInfo info{
       .name = "hybrid",
@@ -35,13 +36,14 @@ struct Hybrid {
             {.place = "hybrid.md#how-many-hidden-units"}),
       field("patience", &Hybrid::patience, "sizes without a better criterion that end the search",
             whole(1, kMostUnits), {.place = "hybrid.md#how-many-hidden-units"}),
-      field("particles", &Hybrid::particles, "particles of the swarm", whole(2, kMostMembers),
+      field("particles", &Hybrid::particles, "particles of the swarm", whole(1, kMostMembers),
             {.place = "hybrid.md#how-many-hidden-units"}),
-      field("iterations", &Hybrid::iterations, "iterations of the swarm, at most", whole(1),
-            {.place = "hybrid.md#how-many-hidden-units"}),
+      field("iterations", &Hybrid::iterations, "iterations of the swarm, at most; 0: particles as they start",
+            whole(0), {.place = "hybrid.md#how-many-hidden-units"}),
       field("refine", &Hybrid::refined, "candidates handed to the trainer at most; the best result is kept",
             whole(1, kMostMembers), {.place = "hybrid.md#how-many-hidden-units"}),
-      group(&Hybrid::training, TrainingOptions::shared_fields)};
+      epochs_field(&Hybrid::epochs),
+      perturbations_field(&Hybrid::perturbations)};
 };
 
 // A usage Error without K0; otherwise errors as fit in identify/method.hpp says.

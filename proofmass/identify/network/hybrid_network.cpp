@@ -106,14 +106,15 @@ HybridFit fit_hybrid(const Hybrid& method, const Dataset& training, const TermLi
                    [&swarm](std::size_t a, std::size_t b) { return swarm.values[a] < swarm.values[b]; });
   order.resize(std::min(order.size(), method.refined));
 
-  const NetworkTrainer trainer(problem.shape, problem.samples, problem.fixed, method.training);
+  // The terms are columns that variable projection alone solves for.
+  const TrainingOptions training_options{.epochs = method.epochs, .perturbations = method.perturbations};
+  const NetworkTrainer trainer(problem.shape, problem.samples, problem.fixed, training_options);
   std::vector<TrainingState> candidates;
   candidates.reserve(order.size());
   for (const std::size_t i : order) {
     candidates.push_back(trainer.start(swarm.positions[i], RandomStream(seed, stream_id("kick", i))));
   }
-  const Refinement refinement =
-      refine(trainer, std::move(candidates), {.epochs = method.training.epochs}, progress);
+  const Refinement refinement = refine(trainer, std::move(candidates), {.epochs = method.epochs}, progress);
   HybridFit fit = assemble(problem, refinement);
   fit.swarm = swarm.history;
   fit.evaluations = swarm.evaluations;

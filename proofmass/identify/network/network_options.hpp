@@ -36,7 +36,8 @@ struct NetworkOptions {
       field("early-stopping", &NetworkOptions::early_stopping,
             "set rows aside and stop when their error grows", kSwitchWords, {.place = "bp.md#how-it-ends"}),
       field("validation-fraction", &NetworkOptions::validation_fraction,
-            "fraction of all rows set aside for early stopping, or for hidden search", above(0.0, 1.0),
+            "fraction of all rows set aside for early stopping, or for hidden search",
+            Range<double>{.low = 0.0, .high = 1.0, .above_low = true, .below_high = true},
             {.place = "bp.md#how-it-ends", .former = "validation-share"})};
 };
 

@@ -15,6 +15,7 @@
 #include "proofmass/identify/network/swarm_fitness.hpp"
 #include "proofmass/identify/network/training/refinement.hpp"
 #include "proofmass/identify/network/training/starts.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/numeric/optimise/particle_swarm.hpp"
 #include "proofmass/numeric/random.hpp"
 
@@ -107,6 +108,7 @@ void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
 
 Identification fit(const PsoBp& method, const Dataset& training, const Dataset& validation,
                    const IdentifyOptions& options, Progress& progress) {
+  require_in_range(method);
   const NetworkTask task = prepare_network(method.network, training, validation, options);
   const NetworkTrainer trainer(task.shape, task.samples, task.validation ? &*task.validation : nullptr,
                                method.network.training);

@@ -64,10 +64,10 @@ struct PsoBp {
       .exact_without_noise = false};
   static constexpr auto fields = std::tuple{
       group(&PsoBp::network, NetworkOptions::fields),
-      field("particles", &PsoBp::particles, "particles of the swarm", whole(2, kMostMembers),
+      field("particles", &PsoBp::particles, "particles of the swarm", whole(1, kMostMembers),
             {.place = "pso-bp.md#the-swarm"}),
-      field("iterations", &PsoBp::iterations, "iterations of the swarm, at most", whole(1),
-            {.place = "pso-bp.md#the-swarm"}),
+      field("iterations", &PsoBp::iterations, "iterations of the swarm, at most; 0: particles as they start",
+            whole(0), {.place = "pso-bp.md#the-swarm"}),
       field("inertia", &PsoBp::inertia, "inertia", between(0.0, 10.0), {.place = "pso-bp.md#the-swarm"}),
       field("cognitive", &PsoBp::cognitive, "pull towards a particle's own best", between(0.0, 10.0),
             {.place = "pso-bp.md#the-swarm"}),

@@ -45,7 +45,7 @@ void use_expansion(Identification& result, const std::vector<double>& expansion,
     coefficient.standard_error.reset();
     if (coefficient.term == Term::Koq && coefficient.identified) {
       coefficient.identified = false;
-      coefficient.reason = "|Ai|*Ai has no Taylor expansion at zero; use the projection";
+      coefficient.reason = {.code = Code::term_without_expansion, .terms = {coefficient.term}};
     }
   }
   result.covariance.clear();

@@ -29,16 +29,20 @@ std::string described(const Range<Number>& range) {
 }
 
 template <typename Number>
-Number read(std::string_view name, std::string_view text, const Range<Number>& range, const char* kind,
+Number read(std::string_view name, std::string_view text, const Range<Number>& range,
             std::string_view or_word) {
   Number number{};
-  if (!parse(text, number) || !range.holds(number)) {
-    const std::string description = described(range);
-    throw usage_error(fmt::format("{}: found '{}', expected {}{} {}{}{}", name, excerpt(text), kind,
-                                  description.starts_with("at least") ? " of" : "", description,
-                                  or_word.empty() ? "" : ", or ", or_word));
-  }
+  if (!parse(text, number) || !range.holds(number)) throw outside_range(name, text, range, or_word);
   return number;
+}
+
+template <typename Number>
+Error outside(std::string_view name, std::string_view text, const Range<Number>& range, const char* kind,
+              std::string_view or_word) {
+  const std::string description = described(range);
+  return usage_error(fmt::format("{}: found '{}', expected {}{} {}{}{}", name, excerpt(text), kind,
+                                 description.starts_with("at least") ? " of" : "", description,
+                                 or_word.empty() ? "" : ", or ", or_word));
 }
 
 }  // namespace
@@ -58,12 +62,22 @@ std::string number_as_text(double value, double per_unit) {
 
 double read_number(std::string_view name, std::string_view text, const Range<double>& range,
                    std::string_view or_word) {
-  return read(name, text, range, "a number", or_word);
+  return read(name, text, range, or_word);
 }
 
 std::size_t read_number(std::string_view name, std::string_view text, const Range<std::size_t>& range,
                         std::string_view or_word) {
-  return read(name, text, range, "a whole number", or_word);
+  return read(name, text, range, or_word);
+}
+
+Error outside_range(std::string_view name, std::string_view text, const Range<double>& range,
+                    std::string_view or_word) {
+  return outside(name, text, range, "a number", or_word);
+}
+
+Error outside_range(std::string_view name, std::string_view text, const Range<std::size_t>& range,
+                    std::string_view or_word) {
+  return outside(name, text, range, "a whole number", or_word);
 }
 
 std::string range_text(const Range<double>& range) { return described(range); }

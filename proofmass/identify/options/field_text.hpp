@@ -17,12 +17,17 @@ namespace proofmass {
 // The shortest text t for which t / per_unit is the value again.
 [[nodiscard]] std::string number_as_text(double value, double per_unit = 1.0);
 
-// The number that a text is, from its first character to its last. Throws a usage Error "NAME: found 'TEXT',
-// expected a number from … to …", with the word that would do in place of a number.
+// The number that a text is, from its first character to its last. Throws outside_range.
 [[nodiscard]] double read_number(std::string_view name, std::string_view text, const Range<double>& range,
                                  std::string_view or_word = {});
 [[nodiscard]] std::size_t read_number(std::string_view name, std::string_view text,
                                       const Range<std::size_t>& range, std::string_view or_word = {});
+
+// "NAME: found 'TEXT', expected a number from … to …", with the word that would do in place of a number.
+[[nodiscard]] Error outside_range(std::string_view name, std::string_view text, const Range<double>& range,
+                                  std::string_view or_word = {});
+[[nodiscard]] Error outside_range(std::string_view name, std::string_view text,
+                                  const Range<std::size_t>& range, std::string_view or_word = {});
 
 // "from 0 to 1", "more than 0", "at least 1".
 [[nodiscard]] std::string range_text(const Range<double>& range);
@@ -92,7 +97,7 @@ void read_value(const Field<Owner, Value, Domain>& field, Value& value, std::str
   }
 }
 
-// Throws a usage Error "NAME: VALUE is not …" when a field holds a number outside its range.
+// Throws outside_range when a field holds a number that it may not hold.
 template <typename Options>
 void require_in_range(const Options& options) {
   for_each_field(options, Options::fields, [](const auto& field, const auto& value) {
@@ -104,10 +109,7 @@ void require_in_range(const Options& options) {
       } else {
         good = field.domain.holds(value);
       }
-      if (!good) {
-        throw usage_error(std::string(field.name) + ": found " + value_text(field, value) + ", expected " +
-                          range_text(field.domain));
-      }
+      if (!good) throw outside_range(field.name, value_text(field, value), field.domain, field.notes.absent);
     }
   });
 }

@@ -13,6 +13,7 @@
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/identify/regression/static_surface.hpp"
 #include "proofmass/identify/regression/uncertainties.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
@@ -105,6 +106,7 @@ SigmaColumns Eiv::sigma_columns() const noexcept { return uncertainty.sigma_colu
 
 Identification fit(const Eiv& method, const Dataset& training, const IdentifyOptions& options,
                    Progress& progress) {
+  require_in_range(method);
   progress.update(kStage, 0, method.iterations);
   const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
   const Matrix design = design_matrix(training, found.identified);

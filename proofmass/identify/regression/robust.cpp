@@ -14,6 +14,7 @@
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/identify/regression/weighted_rows.hpp"
 #include "proofmass/numeric/regression/robust_regression.hpp"
 
@@ -133,6 +134,7 @@ void add_findings(Identification& result, const Dataset& training, const RobustF
 
 Identification fit(const Robust& method, const Dataset& training, const IdentifyOptions& options,
                    Progress& progress) {
+  require_in_range(method);
   progress.update("robust regression", 0, 1);
   Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
   RobustFit fit = fit_identifiable(method, training, options, found, progress);

@@ -11,6 +11,7 @@
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/identify/regression/static_surface.hpp"
 #include "proofmass/identify/regression/uncertainties.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
@@ -98,6 +99,7 @@ SigmaColumns Tls::sigma_columns() const noexcept { return uncertainty.sigma_colu
 
 Identification fit(const Tls& method, const Dataset& training, const IdentifyOptions& options,
                    Progress& progress) {
+  require_in_range(method);
   progress.update("total least squares", 0, 1);
   const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted before total least squares");

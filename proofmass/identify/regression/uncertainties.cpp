@@ -61,14 +61,15 @@ void require_usable_constant(std::string_view what, double sigma) {
 }
 
 void require_usable_column(const Dataset& record, const std::vector<double>& sigma, const std::string& column,
-                           bool zero_is_exact) {
+                           bool zero_is_exact, const Remedy& remedy) {
   for (std::size_t row = 0; row < sigma.size(); ++row) {
     if (in_range(sigma[row]) || (zero_is_exact && sigma[row] == 0.0)) continue;
     throw bad_data(
         {.file = record.source, .row = record.line.empty() ? row + 1 : record.line[row], .column = column},
         fmt::format("{}", sigma[row]),
         zero_is_exact ? "a standard uncertainty of 1e-30 to 1e30, or zero"
-                      : "a standard uncertainty above zero, of 1e-30 to 1e30");
+                      : "a standard uncertainty above zero, of 1e-30 to 1e30",
+        {remedy});
   }
 }
 
@@ -85,7 +86,7 @@ Error missing_uncertainties(std::string_view method, bool output, bool inputs) {
     text +=
         "the uncertainty of at least one input that the model uses, above zero: columns sigma_Ai, sigma_Ao, "
         "sigma_Ap in the record, or a constant for all axes; where inputs are exact, use ols";
-    remedies.push_back({"sigma-input-ug", ""});
+    remedies.push_back({.option = "sigma-input-ug", .value = "", .with_previous = output});
   }
   return refusal(text, std::move(remedies));
 }
@@ -93,15 +94,19 @@ Error missing_uncertainties(std::string_view method, bool output, bool inputs) {
 }  // namespace
 
 SigmaColumns UncertaintyOptions::sigma_columns() const noexcept {
-  return {.output = !output, .inputs = !input};
+  return {.output = !output,
+          .inputs = !input,
+          .instead_of_output = {"sigma-output-ug", ""},
+          .instead_of_inputs = {"sigma-input-ug", ""}};
 }
 
 void require_usable_sigmas(const Dataset& record, const SigmaColumns& used) {
-  if (used.output) require_usable_column(record, record.output_sigma, "sigma_E", false);
+  if (used.output)
+    require_usable_column(record, record.output_sigma, "sigma_E", false, used.instead_of_output);
   if (!used.inputs) return;
   for (const Axis axis : kAxes) {
     require_usable_column(record, record.acceleration_sigma[static_cast<std::size_t>(axis)],
-                          fmt::format("sigma_{}", axis_name(axis)), true);
+                          fmt::format("sigma_{}", axis_name(axis)), true, used.instead_of_inputs);
   }
 }
 

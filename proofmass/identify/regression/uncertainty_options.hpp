@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "proofmass/core/error.hpp"
 #include "proofmass/identify/options/field.hpp"
 
 namespace proofmass {
@@ -19,6 +20,9 @@ inline constexpr std::array kScalingWords{Word<ChiSquareScaling>{"given", ChiSqu
 struct SigmaColumns {
   bool output = false;
   bool inputs = false;
+  // What a fit can go by instead.
+  Remedy instead_of_output{};
+  Remedy instead_of_inputs{};
 };
 
 // What tls and eiv take the uncertainties of inputs and output for.

@@ -26,14 +26,15 @@ std::vector<std::size_t> rows_with_weight(std::span<const double> weights) {
   return rows;
 }
 
-Error weighted_refusal(const Dataset& data, const Identifiability& left, std::size_t rows) {
-  std::string message =
-      fmt::format("{}: the {} of {} rows that have weight cannot identify {} of the terms:", data.source,
-                  rows, data.rows(), left.lost.size());
-  for (const auto& lost : left.lost) message += fmt::format("\n  {}: {}", name(lost.term), lost.reason);
+Error weighted_refusal(const Dataset& data, Identifiability left, std::size_t rows) {
+  TermList names;
+  for (const Finding& finding : left.unidentified) names.push_back(finding.terms.front());
   return refusal(
-      message + "\nFit without them, ask for fewer terms, or look at the rows that lost their weight.",
-      {{"on-rank-loss", "drop"}, {"terms", ""}});
+      fmt::format(
+          "{}: the {} of {} rows that have weight cannot identify {}. Fit without them, ask for fewer "
+          "terms, or look at the rows that have no weight",
+          data.source, rows, data.rows(), join_names(names)),
+      terms_remedies(left.identified), std::move(left.unidentified));
 }
 
 // An exact fit to as many rows as terms says nothing of its errors.
@@ -41,7 +42,7 @@ void require_spare_row(const Dataset& data, const Identifiability& left, std::si
   if (rows > left.identified.size()) return;
   throw refusal(
       fmt::format("{}: {} of {} rows have weight beside the others, too few for {} terms; at least one "
-                  "more than the terms is needed: ask for fewer terms, or look at the rows that lost their "
+                  "more than the terms is needed: ask for fewer terms, or look at the rows that have no "
                   "weight",
                   data.source, rows, data.rows(), left.identified.size()),
       {{"terms", ""}});
@@ -60,19 +61,19 @@ Identifiability require_identifiable_by_weight(const Dataset& data, const Identi
   if (*std::min_element(weights.begin(), weights.end()) > no_weight(weights)) return found;
   const std::vector<std::size_t> rows = rows_with_weight(weights);
   Identifiability left = analyse_identifiability(data.select(rows), found.identified);
-  if (left.lost.empty()) {
+  if (left.unidentified.empty()) {
     require_spare_row(data, found, rows.size());
     return found;
   }
   if (policy == RankLossPolicy::refuse || left.identified.empty())
-    throw weighted_refusal(data, left, rows.size());
+    throw weighted_refusal(data, std::move(left), rows.size());
   require_spare_row(data, left, rows.size());
-  for (auto& lost : left.lost) {
-    lost.reason += fmt::format(" (among the {} of {} rows that have weight)", rows.size(), data.rows());
+  for (Finding& finding : left.unidentified) {
+    finding.figures.emplace_back("count", rows.size());
+    finding.figures.emplace_back("total", data.rows());
   }
-  left.lost.insert(left.lost.end(), found.lost.begin(), found.lost.end());
-  std::sort(left.lost.begin(), left.lost.end(),
-            [](const Unidentifiable& a, const Unidentifiable& b) { return a.term < b.term; });
+  left.unidentified.insert(left.unidentified.end(), found.unidentified.begin(), found.unidentified.end());
+  sort_by_term(left.unidentified);
   return left;
 }
 

@@ -14,6 +14,8 @@
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
+#include "proofmass/identify/options/field_text.hpp"
+#include "proofmass/identify/regression/uncertainties.hpp"
 #include "proofmass/identify/regression/weighted_rows.hpp"
 #include "proofmass/numeric/linear/normal_solution.hpp"
 #include "proofmass/numeric/regression/growing_variance.hpp"
@@ -36,22 +38,12 @@ struct Weighted {
   std::optional<std::size_t> iterations;  // of the variance model
 };
 
-Error bad_sigma(const Dataset& training, std::size_t row) {
-  const std::size_t line = training.line.empty() ? 0 : training.line[row];
-  return bad_data({.file = training.source, .row = line, .column = "sigma_E"},
-                  fmt::format("{}", training.output_sigma[row]),
-                  "a standard uncertainty above zero; or let the residuals decide the weights",
-                  {{"weights", "model"}});
-}
-
 // 1 / sigma_E², that of the first row being one.
 std::vector<double> sigma_weights(const Dataset& training) {
   std::vector<double> weights;
   weights.reserve(training.rows());
   for (std::size_t row = 0; row < training.rows(); ++row) {
-    const double sigma = training.output_sigma[row];
-    if (!(sigma > 0.0) || !std::isfinite(sigma)) throw bad_sigma(training, row);
-    const double ratio = training.output_sigma.front() / sigma;
+    const double ratio = training.output_sigma.front() / training.output_sigma[row];
     weights.push_back(ratio * ratio);
   }
   return weights;
@@ -135,6 +127,7 @@ Weighted fit_by_model(const TermSums& sums, const TermList& terms, const Wls& op
                                          {"s1", std::sqrt(fit.slope)},
                                          {"unit", training.output_unit.canonical_symbol()},
                                          {"axes", axes_text(training)}}});
+  if (options.scaling == ChiSquareScaling::scaled) result.findings.push_back({.code = Code::scaling_unused});
   if (fit.slope == 0.0) result.findings.push_back({.code = Code::variance_does_not_grow});
   result.iterations = fit.iterations;
   result.variance = fit.variance;
@@ -164,13 +157,18 @@ StaticFit static_fit(const TermSums& sums, const TermList& terms, const Weighted
 }  // namespace
 
 SigmaColumns Wls::sigma_columns() const noexcept {
-  return {.output = weights != WeightSource::model, .inputs = false};
+  return {.output = weights != WeightSource::model,
+          .inputs = false,
+          .instead_of_output = {"weights", "model"},
+          .instead_of_inputs = {}};
 }
 
 Identification fit(const Wls& method, const Dataset& training, const IdentifyOptions& options,
                    Progress& progress) {
+  require_in_range(method);
   progress.update("weighted least squares", 0, 1);
   const bool by_sigma = uses_sigma(training, method.weights);
+  require_usable_sigmas(training, method.sigma_columns());
   std::vector<double> weights = by_sigma ? sigma_weights(training) : std::vector<double>();
   const TermSums sums =
       by_sigma ? TermSums(training, options.terms, weights) : TermSums(training, options.terms);

@@ -127,7 +127,11 @@ TEST(Wls, RankLossCountsRowsWithWeightOnly) {
   EXPECT_THROW((void)fitted(record), Error);
   const Identification result = fitted(record, {}, "linear", RankLossPolicy::drop);
   EXPECT_FALSE(result.coefficients[3].identified);
-  EXPECT_THAT(result.coefficients[3].reason, HasSubstr("270 of 300 rows that have weight"));
+  const Finding expected{
+      .code = Code::term_input_zero,
+      .terms = {Term::Kp},
+      .figures = {{"product", std::string("Ap")}, {"count", std::size_t{270}}, {"total", std::size_t{300}}}};
+  EXPECT_EQ(result.coefficients[3].reason, expected);
   EXPECT_NEAR(result.coefficients[1].value, 0.9, 1e-4);
 }
 

@@ -13,6 +13,7 @@
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/identify/search/coefficient_space.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
 #include "proofmass/numeric/optimise/fish_swarm.hpp"
@@ -111,7 +112,9 @@ Ending ending_of_swarm(const FishResult& swarm) {
 }
 
 void add_findings(Identification& result, const Distance& distance, const Dataset& training) {
+  constexpr double kFar = 1.0;  // standard errors
   result.findings.push_back({.code = Code::search_short_of_optimum,
+                             .severity = distance.largest > kFar ? Severity::warning : Severity::note,
                              .terms = {distance.term},
                              .figures = {{"distance", distance.largest}, {"ratio", distance.rmse_ratio}}});
   result.findings.push_back({.code = Code::search_errors_added});
@@ -131,6 +134,7 @@ void add_history(Identification& result, const FishResult& swarm) {
 
 Identification fit(const Afsa& method, const Dataset& training, const IdentifyOptions& options,
                    Progress& progress) {
+  require_in_range(method);
   const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
   const Matrix design = design_matrix(training, found.identified);
   const CoefficientSpace space(design, training.output, method.coordinates);

@@ -86,8 +86,11 @@ void explain_left_out(Identification& result, const TermList& candidates, const 
     for (Coefficient& c : result.coefficients) {
       if (c.term != candidates[k]) continue;
       c.left_out = true;
-      c.reason = fmt::format("left out by the search: the criterion is {:.6g} without it, {:.6g} with it",
-                             std::sqrt(found.value), std::sqrt(criterion.value(found.best | Subset{1} << k)));
+      c.reason = {.code = Code::term_left_out,
+                  .terms = {c.term},
+                  .figures = {{"without", std::sqrt(found.value)},
+                              {"with", std::sqrt(criterion.value(found.best | Subset{1} << k))},
+                              {"unit", result.output_unit.canonical_symbol()}}};
     }
   }
 }
@@ -100,13 +103,12 @@ Curve criterion_curve(const SubsetSearchResult& found) {
 
 void add_findings(Identification& result, const GmdhRows& rows, const SubsetSearchResult& found,
                   std::size_t candidates, const TermList& chosen) {
-  result.findings.push_back({.code = Code::terms_chosen,
-                             .terms = chosen,
-                             .figures = {{"count", chosen.size()},
-                                         {"total", candidates},
-                                         {"criterion", rows.name()},
-                                         {"value", std::sqrt(found.value)},
-                                         {"unit", result.output_unit.canonical_symbol()}}});
+  Finding choice{.code = Code::terms_chosen, .terms = chosen, .figures = rows.figures()};
+  choice.figures.emplace_back("count", chosen.size());
+  choice.figures.emplace_back("total", candidates);
+  choice.figures.emplace_back("value", std::sqrt(found.value));
+  choice.figures.emplace_back("unit", result.output_unit.canonical_symbol());
+  result.findings.push_back(std::move(choice));
   result.findings.push_back({.code = Code::choice_taken_as_given});
   result.findings.push_back({.code = Code::white_noise_assumed});
 }
@@ -131,7 +133,7 @@ Identification identify_gmdh_combi(const Gmdh& method, const Dataset& training,
 
   const TermList chosen = chosen_terms(all.identified, found.best);
   Identifiability kept = analyse_identifiability(sums, chosen);
-  kept.lost = all.lost;
+  kept.unidentified = all.unidentified;
   const NormalSolution solution = solve_normal_equations(sums.gram(chosen), sums.rows(chosen));
   Identification result = make_identification("gmdh", training, options, kept, refit(solution));
   explain_left_out(result, all.identified, *criterion, found);

@@ -8,6 +8,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
+#include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/numeric/random.hpp"
 
 namespace proofmass {
@@ -40,10 +41,10 @@ void require_usable(const Dataset& training, const TermList& terms, std::span<co
                    press());
   }
   const Identifiability part = analyse_identifiability(training.select(rows), terms);
-  if (part.lost.empty()) return;
-  throw refusal(fmt::format("a part of {} rows, which the criterion sets apart, cannot identify {}: {}{}",
-                            rows.size(), name(part.lost.front().term), part.lost.front().reason, kAdvice),
-                press());
+  if (part.unidentified.empty()) return;
+  throw refusal(fmt::format("a part of {} rows, which the criterion sets apart, cannot identify {}{}",
+                            rows.size(), name(part.unidentified.front().terms.front()), kAdvice),
+                press(), part.unidentified);
 }
 
 }  // namespace
@@ -76,16 +77,11 @@ std::span<const std::size_t> GmdhRows::fitting() const noexcept {
   return {};
 }
 
-std::string GmdhRows::name() const {
-  switch (kind_) {
-    case GmdhCriterion::press:
-      return fmt::format("PRESS over {} rows", rows_);
-    case GmdhCriterion::regularity:
-      return fmt::format("regularity on {} checking rows of {}", second_.size(), rows_);
-    case GmdhCriterion::unbiasedness:
-      return fmt::format("unbiasedness of halves of {} and {} rows", first_.size(), second_.size());
-  }
-  return "";
+std::vector<Figure> GmdhRows::figures() const {
+  return {{"criterion", word_of(kGmdhCriterionWords, kind_)},
+          {"rows", rows_},
+          {"first", first_.size()},
+          {"second", second_.size()}};
 }
 
 }  // namespace proofmass

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
+#include "proofmass/core/finding.hpp"
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/search/gmdh.hpp"
 #include "proofmass/numeric/matrix.hpp"
@@ -28,8 +28,8 @@ class GmdhRows {
                                                            std::span<const double> y) const;
   // The rows that a candidate's coefficients come from; empty: all.
   [[nodiscard]] std::span<const std::size_t> fitting() const noexcept;
-  // "PRESS over 210 rows", …
-  [[nodiscard]] std::string name() const;
+  // The criterion by its name in the table of options, and the numbers of all rows and of the two parts.
+  [[nodiscard]] std::vector<Figure> figures() const;
 
  private:
   GmdhCriterion kind_;

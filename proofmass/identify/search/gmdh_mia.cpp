@@ -8,8 +8,10 @@
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
+#include "proofmass/identify/model/term_sums.hpp"
 #include "proofmass/identify/search/gmdh_criterion.hpp"
 #include "proofmass/identify/search/gmdh_forms.hpp"
+#include "proofmass/numeric/linear/normal_solution.hpp"
 #include "proofmass/numeric/selection/quadratic_layers.hpp"
 
 namespace proofmass {
@@ -99,6 +101,18 @@ void add_expansion_findings(Identification& result, const Dataset& training, con
   }
 }
 
+void note_distance_from_least_squares(Identification& result, const Dataset& training,
+                                      const StaticModel& model) {
+  constexpr double kFar = 1.1;
+  const TermSums sums(training, model.terms);
+  const double least = std::sqrt(solve_normal_equations(sums.gram(model.terms), sums.rows(model.terms)).rss /
+                                 static_cast<double>(training.rows()));
+  const double ratio = rms_difference(training, model, training.output) / least;
+  if (!(ratio > kFar)) return;
+  result.findings.push_back(
+      {.code = Code::layers_short_of_optimum, .severity = Severity::warning, .figures = {{"ratio", ratio}}});
+}
+
 QuadraticLayers grow(const Dataset& training, const std::vector<PolynomialNode>& inputs, const GmdhRows& rows,
                      const Gmdh& options, Progress& progress) {
   const QuadraticLayerSettings settings{.layers = options.layers,
@@ -139,12 +153,13 @@ Identification identify_gmdh_mia(const Gmdh& method, const Dataset& training, co
   const StaticModel model = expanded(network.best.jet, found.identified, scales);
   Identification result = make_identification(
       "gmdh", training, options, found, {.coefficients = model.coefficients, .covariance = {}, .vif = {}});
-  result.findings.push_back({.code = Code::layers_grown,
-                             .figures = {{"inputs", inputs.size()},
-                                         {"layer", network.layer},
-                                         {"criterion", rows.name()},
-                                         {"value", std::sqrt(network.value)},
-                                         {"unit", result.output_unit.canonical_symbol()}}});
+  Finding growth{.code = Code::layers_grown, .figures = rows.figures()};
+  growth.figures.emplace_back("inputs", inputs.size());
+  growth.figures.emplace_back("layer", network.layer);
+  growth.figures.emplace_back("value", std::sqrt(network.value));
+  growth.figures.emplace_back("unit", result.output_unit.canonical_symbol());
+  result.findings.push_back(std::move(growth));
+  note_distance_from_least_squares(result, training, model);
   const StaticModel every_term = expanded(network.best.jet, parse_terms("full"), scales);
   add_expansion_findings(result, training, network, model, every_term);
   result.details = GmdhDetails{.models_tried = network.neurons};

@@ -5,7 +5,6 @@
 #include "proofmass/report/text/en.hpp"
 
 namespace proofmass {
-namespace {
 
 using Json = nlohmann::ordered_json;
 
@@ -17,8 +16,11 @@ Json json_of(const Finding& finding) {
   for (const Figure& figure : finding.figures) {
     // What is not finite has no number in JSON.
     const auto* const number = std::get_if<double>(&figure.value);
-    if (number != nullptr && !std::isfinite(*number)) continue;
-    std::visit([&](const auto& value) { json["figures"][figure.name] = value; }, figure.value);
+    if (number != nullptr && !std::isfinite(*number)) {
+      json["figures"][figure.name] = "infinite";
+    } else {
+      std::visit([&](const auto& value) { json["figures"][figure.name] = value; }, figure.value);
+    }
   }
   json["text"] = english(finding);
   return json;
@@ -54,8 +56,6 @@ Finding finding_of(const JsonNode& node) {
   }
   return finding;
 }
-
-}  // namespace
 
 nlohmann::ordered_json json_of(std::span<const Finding> findings) {
   Json json = Json::array();

@@ -10,11 +10,13 @@
 
 namespace proofmass {
 
-// An array of findings: code, severity, terms, lines, figures, and the sentence in English.
+// Code, severity, terms, lines, figures, and the sentence in English.
+[[nodiscard]] nlohmann::ordered_json json_of(const Finding& finding);
 [[nodiscard]] nlohmann::ordered_json json_of(std::span<const Finding> findings);
 
 // The reverse; the sentences, which follow from the rest, are passed over. A code that this version does not
 // know comes back as its sentence. Throws a bad-data Error that names the key.
+[[nodiscard]] Finding finding_of(const JsonNode& node);
 [[nodiscard]] std::vector<Finding> findings_of(const JsonNode& node);
 
 }  // namespace proofmass

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "proofmass/report/json/findings_internal.hpp"
 #include "proofmass/report/json/layout.hpp"
+#include "proofmass/report/text/en.hpp"
 
 namespace proofmass {
 namespace {
@@ -34,17 +36,23 @@ Json json_of(const ColumnSummary& column) {
 
 Json json_of(const MountSummary& mount) { return {{"name", mount.name}, {"rows", mount.rows}}; }
 
-Json json_of(const Unidentifiable& lost) {
-  return {{"name", name(lost.term)},
-          {"confounded_with", names_of(lost.confounded_with)},
-          {"reason", lost.reason}};
+// Of a finding that says why a term is not identified.
+Json json_of_unidentified(const Finding& finding) {
+  const bool aliased = finding.code == Code::term_aliased;
+  const TermList others(finding.terms.begin() + 1, finding.terms.end());
+  return {{"name", name(finding.terms.front())},
+          {"confounded_with", aliased ? names_of(others) : Json::array()},
+          {"reason", english_reason(finding)},
+          {"cause", json_of(finding)}};
 }
 
 Json json_of(const PresetVerdict& preset) {
   Json json{{"model", preset.name}, {"terms", preset.terms}, {"rows_needed", preset.rows_needed}};
   json["identified"] = names_of(preset.found.identified);
   json["unidentifiable"] = Json::array();
-  for (const Unidentifiable& lost : preset.found.lost) json["unidentifiable"].push_back(json_of(lost));
+  for (const Finding& finding : preset.found.unidentified) {
+    json["unidentifiable"].push_back(json_of_unidentified(finding));
+  }
   json["lost"] = json["unidentifiable"];  // the name of 0.1.0
   const auto add = [&json](const char* key, double value) {
     if (std::isfinite(value)) json[key] = value;

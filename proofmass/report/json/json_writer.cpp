@@ -38,7 +38,10 @@ Json json_of(const Coefficient& coefficient, const Unit& output) {
   json["unit"] = coefficient_unit(coefficient.term, output);
   json["identified"] = coefficient.identified;
   if (coefficient.left_out) json["left_out"] = true;
-  if (!coefficient.reason.empty()) json["reason"] = coefficient.reason;
+  if (coefficient.reason) {
+    json["reason"] = english_reason(*coefficient.reason);
+    if (coefficient.reason->code != Code::verbatim) json["cause"] = json_of(*coefficient.reason);
+  }
   set(json, "t", coefficient.t);
   set(json, "p", coefficient.p);
   set(json, "vif", coefficient.vif);

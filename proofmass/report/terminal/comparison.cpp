@@ -119,23 +119,35 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
   out.table(table);
 }
 
-// What each method says, with the figures of the first repeat that says it.
+// A finding, with the figures of the first repeat that has it, and in how many repeats it occurs.
+struct Occurrence {
+  Finding finding;
+  std::size_t repeats = 0;
+};
+
 void write_method_findings(TerminalText& out, const Contestant& contestant, Severity severity) {
-  std::vector<Finding> said;
+  std::vector<Occurrence> said;
   for (const Run& run : contestant.runs) {
     for (const Finding& finding : run.identification.findings) {
-      const auto same = [&finding](const Finding& other) {
-        return other.code == finding.code && other.terms == finding.terms &&
-               (finding.code != Code::verbatim || other == finding);
+      if (finding.severity != severity) continue;
+      const auto same = [&finding](const Occurrence& other) {
+        return other.finding.code == finding.code && other.finding.terms == finding.terms &&
+               (finding.code != Code::verbatim || other.finding == finding);
       };
-      if (finding.severity == severity && std::none_of(said.begin(), said.end(), same))
-        said.push_back(finding);
+      auto known = std::find_if(said.begin(), said.end(), same);
+      if (known == said.end()) known = said.insert(said.end(), {.finding = finding});
+      ++known->repeats;
     }
   }
   if (said.empty()) return;
   out.heading(
       fmt::format("{} on {}", severity == Severity::warning ? "Warnings" : "Notes", contestant.method));
-  write_findings(out, said, severity);
+  for (const Occurrence& occurrence : said) {
+    const bool always = occurrence.repeats == contestant.runs.size();
+    write_finding(
+        out, occurrence.finding,
+        always ? "" : fmt::format(" ({} of {} repeats)", occurrence.repeats, contestant.runs.size()));
+  }
 }
 
 void write_all_findings(TerminalText& out, const Comparison& comparison, Severity severity) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "proofmass/report/terminal/terminal_text.hpp"
+#include "proofmass/report/text/en.hpp"
 
 namespace proofmass {
 namespace {
@@ -31,22 +32,22 @@ std::string condition_text(double condition) {
   return std::isfinite(condition) ? fmt::format("{:.4g}", condition) : "-";
 }
 
-// One line a model; then, for the largest, each lost term with its reason.
+// One line a model; then, for the largest, each unidentifiable term with its reason.
 void write_models(TerminalText& out, const Inspection& inspection) {
   out.heading("Terms that the inputs can identify");
   TextTable table({"model", "terms", "identified", "rows needed", "condition", "scaled", "unidentifiable"},
                   true);
   for (const PresetVerdict& preset : inspection.presets) {
-    TermList lost;
-    for (const Unidentifiable& term : preset.found.lost) lost.push_back(term.term);
+    TermList unidentified;
+    for (const Finding& finding : preset.found.unidentified) unidentified.push_back(finding.terms.front());
     table.add({preset.name, std::to_string(preset.terms), std::to_string(preset.found.identified.size()),
                std::to_string(preset.rows_needed), condition_text(preset.found.condition_raw),
-               condition_text(preset.found.condition_scaled), join_names(lost)});
+               condition_text(preset.found.condition_scaled), join_names(unidentified)});
   }
   out.table(table);
   if (inspection.presets.empty()) return;
-  for (const Unidentifiable& lost : inspection.presets.back().found.lost) {
-    out.warning(fmt::format("  {}: {}", name(lost.term), lost.reason));
+  for (const Finding& finding : inspection.presets.back().found.unidentified) {
+    out.warning(fmt::format("  {}: {}", name(finding.terms.front()), english_reason(finding)));
   }
 }
 

@@ -13,6 +13,7 @@
 #include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
+#include "proofmass/report/text/en.hpp"
 
 namespace proofmass {
 namespace {
@@ -62,7 +63,10 @@ void write_coefficients(TerminalText& out, std::span<const Coefficient> coeffici
   }
   out.table(table);
   for (const Coefficient& c : coefficients) {
-    if (!c.identified) out.warning(fmt::format("  {} not identified: {}", name(c.term), c.reason));
+    if (!c.identified) {
+      out.warning(
+          fmt::format("  {} not identified: {}", name(c.term), c.reason ? english_reason(*c.reason) : ""));
+    }
   }
 }
 

@@ -5,14 +5,19 @@
 
 namespace proofmass {
 
+void write_finding(TerminalText& out, const Finding& finding, std::string_view more) {
+  std::string text(to_string(finding.severity));
+  text.append(": ").append(english(finding)).append(more);
+  if (finding.severity == Severity::warning) {
+    out.warning(text);
+  } else {
+    out.line(text);
+  }
+}
+
 void write_findings(TerminalText& out, std::span<const Finding> findings, Severity severity) {
   for (const Finding& finding : findings) {
-    if (finding.severity != severity) continue;
-    if (severity == Severity::warning) {
-      out.warning("warning: " + english(finding));
-    } else {
-      out.line("note: " + english(finding));
-    }
+    if (finding.severity == severity) write_finding(out, finding);
   }
 }
 

@@ -41,7 +41,7 @@ Identification result_in(const char* unit) {
   Coefficient lost;
   lost.term = Term::Koq;
   lost.identified = false;
-  lost.reason = "confounded with Kii";
+  lost.reason = {.code = Code::term_aliased, .terms = {Term::Koq, Term::Kii}};
   r.coefficients.push_back(lost);
   r.train = Metrics{
       .n = 70, .mae = 1e-6, .mse = 1e-12, .rmse = 1e-6, .mape_percent = 0.01, .mape_rows = 70, .r2 = 1.0};
@@ -65,7 +65,7 @@ TEST(Terminal, ReadsCoefficientsInTheUnitsUsersSpeak) {
   EXPECT_NE(line_with(text, "Ki ").find("0.9999790000"), std::string::npos) << text;
   EXPECT_NE(line_with(text, "Kii").find("µg/g²"), std::string::npos);
   EXPECT_NE(line_with(text, "Ko ").find("µrad"), std::string::npos);
-  EXPECT_NE(text.find("Koq not identified: confounded with Kii"), std::string::npos);
+  EXPECT_NE(text.find("Koq not identified: aliased with Kii"), std::string::npos);
   EXPECT_NE(text.find("Ended: direct"), std::string::npos);
   EXPECT_NE(text.find("note: one note"), std::string::npos);
   EXPECT_EQ(text.find("test"), std::string::npos);

@@ -1,99 +1,91 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/text/en.hpp"
 
-#include <fmt/args.h>
-#include <fmt/format.h>
-
 #include <string_view>
+
+#include "proofmass/report/text/sentence.hpp"
 
 namespace proofmass {
 namespace {
 
-// Figures by name in braces, as fmt formats them; {terms} are the finding's.
+// Figures by name in braces, as fmt formats them; {terms} are the finding's. Empty where english_reason says
+// it.
 std::string_view sentence(Code code) noexcept {
   switch (code) {
     case Code::verbatim:
       return "{text}";
-    case Code::term_not_identified:
-      return "{terms} is not identified: {reason}";
+    case Code::term_without_column:
+    case Code::term_input_zero:
+    case Code::term_aliased:
+    case Code::term_beyond_rows:
+    case Code::term_left_out:
+    case Code::term_without_expansion:
+      break;  // see english_reason
     case Code::inputs_collinear:
       return "the inputs are collinear: variance inflation factors above {limit:g} ({inflated}). The "
-             "standard errors "
-             "of these coefficients are large; test in more mounts to make them smaller";
+             "standard errors of these coefficients are large; test in more mounts to make them smaller";
     case Code::terms_apart_by_rounding:
       return "some columns of the design differ by {separation:.0e} of their size only. Where the record's "
-             "inputs are "
-             "rounded as coarsely as that, rounding alone separates these terms, and their values mean "
-             "nothing";
+             "inputs are rounded as coarsely as that, rounding alone separates these terms, and their values "
+             "mean nothing";
     case Code::rounding_costs_digits:
       return "the condition number with scaled columns is {condition:.1e}: rounding costs about {digits:.0f} "
-             "of 16 "
-             "digits";
+             "of 16 digits";
     case Code::white_noise_assumed:
       return "standard errors assume exact inputs and white output noise of the same variance in every row";
     case Code::sigma_output_unused:
       return "sigma_E is not used: {method} gives all rows the same weight";
     case Code::test_error_larger:
       return "the test error ({test:.3g} {unit}) is {ratio:.3g} times the training error ({train:.3g} "
-             "{unit}): the "
-             "model does not generalise. Check that test and training rows cover the same mounts and levels";
+             "{unit}): the model does not generalise. Check that test and training rows cover the same "
+             "mounts and levels";
     case Code::weights_from_sigma:
       return "weights are 1 / sigma_E² from the record";
     case Code::weights_from_model:
       return "weights come from the residuals by restricted maximum likelihood: sigma² = s0² + s1² |A|², s0 "
-             "= "
-             "{s0:.5g} {unit}, s1 = {s1:.5g} {unit}/g, |A| over {axes}";
+             "= {s0:.5g} {unit}, s1 = {s1:.5g} {unit}/g, |A| over {axes}";
     case Code::variance_does_not_grow:
       return "the residuals do not grow with |A|, or |A| is the same in every row: all rows have the same "
-             "weight, and "
-             "the result is that of ols";
+             "weight, and the result is that of ols";
+    case Code::scaling_unused:
+      return "standard errors are not scaled by chi²/dof: the weights come from the residuals, not from "
+             "sigma_E, and chi² is then the number of degrees of freedom by construction";
     case Code::sigma_output_taken:
       return "chi²/dof is {ratio:.5g} (about 1 ± {spread:.2g} when sigma_E is right); standard errors take "
-             "sigma_E as "
-             "it is; scaled by chi²/dof they would be {factor:.5g} times as large";
+             "sigma_E as it is; scaled by chi²/dof they would be {factor:.5g} times as large";
     case Code::sigma_output_scaled:
       return "chi²/dof is {ratio:.5g} (about 1 ± {spread:.2g} when sigma_E is right); standard errors are "
-             "scaled by "
-             "it; with sigma_E as it is they would be {factor:.5g} times as large";
+             "scaled by it; with sigma_E as it is they would be {factor:.5g} times as large";
     case Code::sigma_output_too_small:
       return "the residuals are larger than sigma_E allows (chi²/dof {ratio:.5g}): sigma_E is too small, the "
-             "model "
-             "lacks terms, or there are outliers. The standard errors are then too small";
+             "model lacks terms, or there are outliers. The standard errors are then too small";
     case Code::sigma_output_too_large:
       return "the residuals are smaller than sigma_E says (chi²/dof {ratio:.5g}): sigma_E is too large, and "
-             "so are the "
-             "standard errors";
+             "so are the standard errors";
     case Code::rows_without_weight:
       return "{count:.0f} of {total:.0f} rows have no weight beside the others, because their sigma_E is so "
-             "much "
-             "larger: they do not count as degrees of freedom";
+             "much larger: they do not count as degrees of freedom";
     case Code::weighted_noise_assumed:
       return "standard errors assume exact inputs and independent output noise of the variance given; the "
-             "residual "
-             "standard deviation is over all rows alike";
+             "residual standard deviation is over all rows alike";
     case Code::sigma_inputs_replaced:
       return "the constant given for the inputs' uncertainty takes the place of the record's sigma columns";
     case Code::sigma_output_replaced:
       return "the constant given for the output's uncertainty takes the place of the record's sigma_E";
     case Code::uncertainties_taken:
       return "standard errors take the uncertainties given as they are; the residuals are {factor:.3g} times "
-             "as large "
-             "as these lead to expect";
+             "as large as these lead to expect";
     case Code::uncertainties_scaled:
       return "standard errors take only the ratios of the uncertainties given, and are scaled by "
-             "{factor:.3g}, the "
-             "size of the residuals over that expected";
+             "{factor:.3g}, the size of the residuals over that expected";
     case Code::total_least_squares_biased:
       return "total least squares is biased for powers and products: it assumes that the errors of all "
-             "regressors are "
-             "independent, of mean zero and alike in every row. The bias grows with the square of the input "
-             "noise; "
-             "eiv is free of it";
+             "regressors are independent, of mean zero and alike in every row. The bias grows with the "
+             "square of the input noise; eiv is free of it";
     case Code::independent_errors_assumed:
       return "standard errors assume errors of inputs and output that are independent from row to row and "
-             "from axis "
-             "to axis; errors common to many rows (radius, misalignment, speed of the stand) are not "
-             "corrected";
+             "from axis to axis; errors common to many rows (radius, misalignment, speed of the stand) are "
+             "not corrected";
     case Code::huber_loss:
       return "Huber's loss with k = {tuning:g}";
     case Code::bisquare_loss:
@@ -103,149 +95,127 @@ std::string_view sentence(Code code) noexcept {
              "{scale:.5g} {unit}";
     case Code::outlying_rows:
       return "{count:.0f} of {total:.0f} rows lie beyond {limit:g} robust scales; the robust scale (median "
-             "absolute "
-             "residual / 0.6745) is {scale:.5g} {unit}";
+             "absolute residual / 0.6745) is {scale:.5g} {unit}";
     case Code::scale_at_resolution:
       return "the output lies on a grid with a step of {step:.5g} {unit}, and more than half of the "
-             "residuals are "
-             "smaller than its rounding ({rounding:.3g} {unit}, step / sqrt(12)). The robust scale takes "
-             "every "
-             "residual as spread over one step; otherwise rows one step away would count as outliers";
+             "residuals are smaller than its rounding ({rounding:.3g} {unit}, step / sqrt(12)). The robust "
+             "scale takes every residual as spread over one step; otherwise rows one step away would count "
+             "as outliers";
     case Code::scale_at_rounding:
       return "more than half of the residuals are no more than rounding; the robust scale is held at "
-             "{scale:.2g} "
-             "{unit}";
+             "{scale:.2g} {unit}";
     case Code::scale_doubtful:
       return "the robust scale cannot be trusted: it is {over_shortest_half:.3g} times that of the half of "
-             "the "
-             "residuals that lie closest together, and the 60 % quantile gives {quantile_ratio:.3g} times "
-             "the scale "
-             "(both are near 1 in a sound fit). Nearly half of the rows may be outliers, or the rows fall "
-             "into two "
-             "groups: the fit, its standard errors and the list of suspect rows may be wrong. Plot the "
-             "residuals, and "
-             "split the record or leave the bad rows out";
+             "the residuals that lie closest together, and the 60 % quantile gives {quantile_ratio:.3g} "
+             "times the scale (both are near 1 in a sound fit). Nearly half of the rows may be outliers, or "
+             "the rows fall into two groups: the fit, its standard errors and the list of suspect rows may "
+             "be wrong. Plot the residuals, and split the record or leave the bad rows out";
     case Code::robust_errors_asymptotic:
       return "standard errors are asymptotic (Huber 1981); they assume exact inputs and independent output "
-             "noise with "
-             "one symmetric distribution in every row; the residual standard deviation counts outliers in "
-             "full";
+             "noise with one symmetric distribution in every row; the residual standard deviation counts "
+             "outliers in full";
     case Code::terms_chosen:
       return "{count:.0f} of {total:.0f} terms chosen by {criterion} (root mean square {value:.6g} {unit}): "
              "{terms}";
     case Code::choice_taken_as_given:
       return "coefficients are those of ordinary least squares with the chosen terms on all training rows. "
-             "Their "
-             "standard errors take the choice as given and leave out its uncertainty: a coefficient left out "
-             "is "
-             "small, not known to be zero";
+             "Their standard errors take the choice as given and leave out its uncertainty: a coefficient "
+             "left out is small, not known to be zero";
     case Code::layers_grown:
       return "a network of quadratic neurons from {inputs:.0f} inputs, the best of layer {layer:.0f}, chosen "
-             "by "
-             "{criterion} (root mean square {value:.6g} {unit})";
+             "by {criterion} (root mean square {value:.6g} {unit})";
     case Code::layers_expanded:
       return "over the training rows the rms error of the network is {network:.4g} {unit}, that of its "
-             "expansion into "
-             "the terms, which predicts, {expansion:.4g} {unit}";
+             "expansion into the terms, which predicts, {expansion:.4g} {unit}";
     case Code::layers_beyond_terms:
       return "the part of the network outside the 21 terms is {beyond_all:.4g} {unit} (rms over the training "
-             "rows), "
-             "outside the terms asked for {beyond_asked:.4g} {unit}";
+             "rows), outside the terms asked for {beyond_asked:.4g} {unit}";
     case Code::layers_without_errors:
       return "coefficients of a network of quadratics have no standard errors; those of form combi have";
+    case Code::layers_short_of_optimum:
+      return "the expansion's rms error over the training rows is {ratio:.3g} times that of least squares on "
+             "the same terms, and its coefficients are worse accordingly. Use ols, or form combi";
     case Code::pairs_discarded:
       return "{count:.0f} pairs of inputs gave no neuron, because the rows cannot tell apart its six "
-             "regressors; "
-             "{total:.0f} pairs gave one";
+             "regressors; {total:.0f} pairs gave one";
     case Code::search_short_of_optimum:
       return "the search ends {distance:.2g} standard errors of least squares from its solution in {terms} "
-             "(the "
-             "farthest coefficient), with {ratio:.6g} times its root mean square residual; ols reaches that "
-             "solution "
-             "directly";
+             "(the farthest coefficient), with {ratio:.6g} times its root mean square residual; ols reaches "
+             "that solution directly";
     case Code::search_errors_added:
       return "standard errors are those of least squares (exact inputs, white output noise of the same "
-             "variance in "
-             "every row) with the distance from its solution added in quadrature; the search itself has none";
+             "variance in every row) with the distance from its solution added in quadrature; the search "
+             "itself has none";
     case Code::coefficients_projected:
       return "coefficients are the least-squares projection of the network onto the terms; their standard "
-             "errors "
-             "(delta method) assume exact inputs, white noise of one variance and a network trained to a "
-             "minimum";
+             "errors (delta method) assume exact inputs, white noise of one variance and a network trained "
+             "to a minimum";
     case Code::coefficients_expanded:
       return "coefficients are the network's Taylor expansion at zero specific force: they have no standard "
-             "errors, "
-             "and third-order terms are far less certain than by projection";
+             "errors, and third-order terms are far less certain than by projection";
     case Code::expansion_differs:
       return "Taylor expansion and projection differ by more than three standard errors in {terms}";
     case Code::network_misfit:
       return "the network's residual standard deviation is {ratio:.3g} times that of least squares with "
-             "every term "
-             "that the rows can separate: this is misfit, not white noise, so standard errors, intervals, t "
-             "and p do "
-             "not hold. Use more hidden units or more starts, or least squares";
+             "every term that the rows can separate: this is misfit, not white noise, so standard errors, "
+             "intervals, t and p do not hold. Use more hidden units or more starts, or least squares";
     case Code::network_above_rounding:
       return "the network leaves more than rounding, which is all that least squares with every term that "
-             "the rows "
-             "can separate leaves: this is misfit, not white noise, so standard errors, intervals, t and p "
-             "do not hold";
+             "the rows can separate leaves: this is misfit, not white noise, so standard errors, intervals, "
+             "t and p do not hold";
     case Code::network_moves_coefficients:
       return "the network's misfit moves the coefficients by {induced:.3g} {unit} (rms over the rows), more "
-             "than noise "
-             "does ({typical:.3g} {unit}): the standard errors are too small by about that ratio";
+             "than noise does ({typical:.3g} {unit}): the standard errors are too small by about that ratio";
     case Code::structure_beyond_terms:
       return "the record has structure that the terms asked for lack, from the sensor or from the stand. A "
-             "network "
-             "beside the terms predicts it; the coefficients are the least-squares projection of the whole "
-             "function "
-             "onto the terms, not its course between the rows";
+             "network beside the terms predicts it; the coefficients are the least-squares projection of the "
+             "whole function onto the terms, not its course between the rows";
     case Code::hidden_choice_ignored:
       return "standard errors assume exact inputs and white noise of one variance, and ignore that the "
-             "number of "
-             "hidden units was chosen on the same rows";
+             "number of hidden units was chosen on the same rows";
     case Code::inputs_outside_range:
       return "{count:.0f} of {total:.0f} rows lie outside the range that the result was identified on "
-             "(first: line "
-             "{line:.0f}): the prediction is an extrapolation there";
+             "(first: line {line:.0f}): the prediction is an extrapolation there";
     case Code::other_plan_named:
       return "the record says that it was simulated from {named}, the truth is {plan}: the distances from "
              "the truth may mean nothing. Give the record's own plan";
     case Code::inputs_unlike_plan:
       return "the record's accelerations are from {least:.4g} to {largest:.4g} g, those of the truth's plan "
-             "from "
-             "{from:.4g} to {to:.4g} g";
+             "from {from:.4g} to {to:.4g} g";
     case Code::outputs_unlike_plan:
       return "the record's outputs lie {ratio:.3g} times as far from the truth's as its noise explains (by "
-             "the median "
-             "over the rows)";
+             "the median over the rows): the truth may belong to another record, and the distances from it "
+             "then mean nothing. Give the plan that the record was simulated from";
   }
   return "";
 }
 
-// For a finding read from a file that lacks a figure of its sentence.
-std::string plain(const Finding& finding) {
-  std::string text(to_string(finding.code));
-  if (!finding.terms.empty()) text += fmt::format(" ({})", join_names(finding.terms));
-  for (const Figure& figure : finding.figures) {
-    std::visit([&](const auto& value) { text += fmt::format("; {}: {}", figure.name, value); }, figure.value);
+// Words of a finding that are names of a choice.
+std::string_view phrase(std::string_view figure, std::string_view word) noexcept {
+  if (figure == "criterion") {
+    if (word == "press") return "PRESS over {rows:.0f} rows";
+    if (word == "regularity") return "regularity on {second:.0f} checking rows of {rows:.0f}";
+    if (word == "unbiasedness") return "unbiasedness of halves of {first:.0f} and {second:.0f} rows";
   }
-  return text;
+  if (figure == "origin") {
+    if (word == "given") return "given";
+    if (word == "default") return "by default";
+    if (word == "estimated") return "estimated";
+  }
+  return {};
 }
 
 }  // namespace
 
 std::string english(const Finding& finding) {
-  fmt::dynamic_format_arg_store<fmt::format_context> arguments;
-  arguments.push_back(fmt::arg("terms", join_names(finding.terms)));
-  for (const Figure& figure : finding.figures) {
-    std::visit([&](const auto& value) { arguments.push_back(fmt::arg(figure.name.c_str(), value)); },
-               figure.value);
-  }
-  try {
-    return fmt::vformat(sentence(finding.code), arguments);
-  } catch (const fmt::format_error&) {
-    return plain(finding);
-  }
+  const std::string_view words = sentence(finding.code);
+  if (!words.empty()) return filled(words, finding, phrase);
+  const std::string text =
+      join_names({finding.terms.begin(), finding.terms.begin() + !finding.terms.empty()}) +
+      " is not identified: " + english_reason(finding);
+  if (finding.code != Code::term_aliased || finding.terms.size() < 2) return text;
+  return text + "; whatever it contributes is in the value of " +
+         join_names({finding.terms.begin() + 1, finding.terms.end()});
 }
 
 }  // namespace proofmass

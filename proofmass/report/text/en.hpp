@@ -9,8 +9,11 @@
 namespace proofmass {
 
 // One sentence or two: what was found, with its figures, what follows, and what to do. The code and the
-// figures where the finding lacks a figure of its sentence. Figures that the sentence names and the finding
-// lacks are shown as "?".
+// figures where the finding lacks a figure of its sentence.
 [[nodiscard]] std::string english(const Finding& finding);
+
+// The reason alone, of a finding that says why a term is not identified: "aliased with Kii: over these rows
+// |Ai|*Ai is proportional to Ai^2".
+[[nodiscard]] std::string english_reason(const Finding& finding);
 
 }  // namespace proofmass

@@ -13,6 +13,18 @@ enum class Trainer { varpro, lm };  // variable projection; textbook Levenberg-M
 inline constexpr std::array kTrainerWords{Word<Trainer>{"varpro", Trainer::varpro},
                                           Word<Trainer>{"lm", Trainer::lm}};
 
+// What every method that trains takes.
+template <typename Owner>
+[[nodiscard]] constexpr auto epochs_field(std::size_t Owner::*member) {
+  return field("epochs", member, "training epochs of a start, at most", whole(1),
+               {.place = "bp.md#training"});
+}
+template <typename Owner>
+[[nodiscard]] constexpr auto perturbations_field(std::size_t Owner::*member) {
+  return field("perturbations", member, "perturbations in a row without gain before varpro ends", whole(0),
+               {.place = "bp.md#training", .former = "kicks"});
+}
+
 // How a network is trained. Defaults of the damping are those that MATLAB documents for trainlm.
 struct TrainingOptions {
   std::size_t epochs = 1000;      // at most, for the training of one start
@@ -26,30 +38,23 @@ struct TrainingOptions {
   std::size_t validation_failures = 6;  // successive epochs without improvement on the validation rows, if
                                         // there are any, that end training; the best epoch's weights are kept
 
-  // What every network takes, the hybrid's included.
-  static constexpr auto shared_fields =
-      std::tuple{field("epochs", &TrainingOptions::epochs, "training epochs of a start, at most", whole(1),
-                       {.place = "bp.md#training"}),
-                 field("perturbations", &TrainingOptions::perturbations,
-                       "perturbations in a row without gain before varpro ends", whole(0),
-                       {.place = "bp.md#training", .former = "kicks"})};
-  static constexpr auto fields = std::tuple_cat(
-      shared_fields,
-      std::tuple{
-          field("trainer", &TrainingOptions::trainer, "variable projection, or textbook Levenberg-Marquardt",
-                kTrainerWords, {.place = "bp.md#training"}),
-          field("mu", &TrainingOptions::mu, "initial damping of trainer lm", above(0.0),
-                {.place = "bp.md#training"}),
-          field("mu-decrease", &TrainingOptions::mu_decrease, "factor of the damping after an accepted step",
-                above(0.0, 1.0), {.place = "bp.md#training"}),
-          field("mu-increase", &TrainingOptions::mu_increase, "factor of the damping after a rejected step",
-                above(1.0), {.place = "bp.md#training"}),
-          field("mu-max", &TrainingOptions::mu_max, "damping that ends training by lm", above(0.0),
-                {.place = "bp.md#training"}),
-          field("minimum-gradient", &TrainingOptions::minimum_gradient, "gradient that ends training by lm",
-                at_least(0.0), {.place = "bp.md#training"}),
-          field("validation-failures", &TrainingOptions::validation_failures,
-                "epochs without improvement that stop early", whole(1), {.place = "bp.md#how-it-ends"})});
+  static constexpr auto fields = std::tuple{
+      epochs_field(&TrainingOptions::epochs),
+      perturbations_field(&TrainingOptions::perturbations),
+      field("trainer", &TrainingOptions::trainer, "variable projection, or textbook Levenberg-Marquardt",
+            kTrainerWords, {.place = "bp.md#training"}),
+      field("mu", &TrainingOptions::mu, "initial damping of trainer lm", above(0.0),
+            {.place = "bp.md#training"}),
+      field("mu-decrease", &TrainingOptions::mu_decrease, "factor of the damping after an accepted step",
+            above(0.0, 1.0), {.place = "bp.md#training"}),
+      field("mu-increase", &TrainingOptions::mu_increase, "factor of the damping after a rejected step",
+            above(1.0), {.place = "bp.md#training"}),
+      field("mu-max", &TrainingOptions::mu_max, "damping that ends training by lm", above(0.0),
+            {.place = "bp.md#training"}),
+      field("minimum-gradient", &TrainingOptions::minimum_gradient, "gradient that ends training by lm",
+            at_least(0.0), {.place = "bp.md#training"}),
+      field("validation-failures", &TrainingOptions::validation_failures,
+            "epochs without improvement that stop early", whole(1), {.place = "bp.md#how-it-ends"})};
 };
 
 }  // namespace proofmass

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/report/text/sentence.hpp"
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace proofmass {
+namespace {
+
+// A figure ready to be shown.
+struct ShownFigure {
+  std::variant<double, std::string> value;
+};
+
+}  // namespace
+}  // namespace proofmass
+
+template <>
+struct fmt::formatter<proofmass::ShownFigure> {
+  std::string number_format = "{:";
+
+  constexpr auto parse(format_parse_context& context) {
+    const auto* end = std::find(context.begin(), context.end(), '}');
+    number_format.append(context.begin(), end).append("}");
+    return end;
+  }
+  auto format(const proofmass::ShownFigure& figure, format_context& context) const {
+    const auto* const number = std::get_if<double>(&figure.value);
+    if (number == nullptr) return format_to(context.out(), "{}", std::get<std::string>(figure.value));
+    if (!std::isfinite(*number)) return format_to(context.out(), "infinite");
+    return vformat_to(context.out(), number_format, make_format_args(*number));
+  }
+};
+
+namespace proofmass {
+namespace {
+
+using Arguments = fmt::dynamic_format_arg_store<fmt::format_context>;
+
+std::string plain(const Finding& finding) {
+  std::string text(to_string(finding.code));
+  if (!finding.terms.empty()) text += fmt::format(" ({})", join_names(finding.terms));
+  for (const Figure& figure : finding.figures) {
+    std::visit([&](const auto& value) { text += fmt::format("; {}: {}", figure.name, value); }, figure.value);
+  }
+  return text;
+}
+
+void add(Arguments& arguments, const std::string& name, std::variant<double, std::string> value) {
+  arguments.push_back(fmt::arg(name.c_str(), ShownFigure{std::move(value)}));
+}
+
+}  // namespace
+
+std::string filled(std::string_view sentence, const Finding& finding, Phrase phrase) {
+  Arguments arguments;
+  add(arguments, "terms", join_names(finding.terms));
+  const auto words_of = [&](const Figure& figure) {
+    const auto* const word = std::get_if<std::string>(&figure.value);
+    return word == nullptr || phrase == nullptr ? std::string_view() : phrase(figure.name, *word);
+  };
+  try {
+    for (const Figure& figure : finding.figures) {
+      if (words_of(figure).empty()) add(arguments, figure.name, figure.value);
+    }
+    // These name figures themselves.
+    for (const Figure& figure : finding.figures) {
+      const std::string_view words = words_of(figure);
+      if (!words.empty()) add(arguments, figure.name, fmt::vformat(words, arguments));
+    }
+    return fmt::vformat(sentence, arguments);
+  } catch (const fmt::format_error&) {
+    return plain(finding);
+  }
+}
+
+bool has_figure(const Finding& finding, std::string_view name) noexcept {
+  return std::any_of(finding.figures.begin(), finding.figures.end(),
+                     [name](const Figure& figure) { return figure.name == name; });
+}
+
+}  // namespace proofmass
