@@ -2,11 +2,11 @@
 # The library's test programs, one a module, and which of their tests carry which label (proofmass_add_tests).
 
 # Statistics over many repeats.
-set(numeric_statistics SwarmConvergence.*)
+set(numeric_statistics SwarmConvergence.* NistNonlinearMean.* SeparablePerceptron.IsExactOnManySamples*)
 set(identify_statistics
   *UnbiasedAndEfficient* *ReachesTheBound* *FromAnySeed *FromEverySeed *OverRepeats
   PsoBpOnTheTwin.*
-  GmdhCombi.WithoutNoise* GmdhCombi.TrueTerms*
+  GmdhCombi.WithoutNoise* GmdhCombi.TrueTerms* Tls.SaysThatItIsBiased*
   Hybrid.IsLeast* Hybrid.Predicts* Hybrid.DoesNot*)
 set(study_statistics Reproduce.TheSwarmGains*)
 

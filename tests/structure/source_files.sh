@@ -18,6 +18,12 @@ while read -r file; do
 done < <(find proofmass apps benchmarks examples tests scripts cmake .ci -type f \
   \( -name '*.[ch]pp' -o -name '*.sh' -o -name '*.cmake' -o -name CMakeLists.txt -o -path '.ci/*' \))
 
+# Names that the language keeps for the compiler; those that it defines are ours to use.
+while read -r place; do
+  complain "$place: this name is reserved for the compiler"
+done < <(grep -rnoE '\b(_[A-Z][A-Za-z0-9_]*|[A-Za-z0-9_]*__[A-Za-z0-9_]*)' --include='*.[ch]pp' proofmass apps benchmarks \
+  examples tests | grep -vE ':(__(FILE|LINE|cplusplus|GNUC|clang|AVX512F|SANITIZE|builtin|extension__|int128|$)[A-Za-z0-9_]*|_SC_[A-Z_]*)$' || true)
+
 # has_header FILE: true when there is a header of its name, of a shorter name that its name extends (term.hpp for
 # term_names.cpp), or of the folder's name (verbs).
 has_header() {

@@ -42,7 +42,7 @@ class EachTrainer : public testing::TestWithParam<Trainer> {
  protected:
   const TrainingOptions options_ = options_for(GetParam());
   const std::vector<double> start_ = random_start(kShape, GetParam(), 1, 0);
-  const Overfitting data_;
+  const Overfitting data_{};
 };
 
 TEST_P(EachTrainer, NeverGetsWorseAndTellsItsError) {
