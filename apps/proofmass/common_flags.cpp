@@ -37,15 +37,6 @@ void add_common(CLI::App& verb, CommonFlags& flags) {
             [&flags](std::uint64_t n) { flags.threads = n; });
 }
 
-void add_map(CLI::App& verb, std::vector<std::string>& map) {
-  verb.add_option("--map", map,
-                  "Columns of the record by another name, as Ai=ax,E=out; E=out[mA] also says the unit of a "
-                  "column whose header does not")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME=COLUMN,...");
-}
-
 CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help) {
   const auto take = [option, &path](const std::string& text) {
     if (text.empty())
@@ -59,20 +50,6 @@ void add_json(CLI::App& verb, std::string& path) {
   add_path(verb, "--json", path,
            "Write the result as JSON to FILE; - is standard output, in place of the table")
       ->type_name("FILE");
-}
-
-std::map<std::string, std::string> renames(const std::vector<std::string>& map) {
-  std::map<std::string, std::string> columns;
-  for (const std::string& entry : map) {
-    const std::size_t equals = entry.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == entry.size()) {
-      throw usage_error(fmt::format("--map: found '{}', expected NAME=COLUMN, as Ai=ax", entry));
-    }
-    if (!columns.emplace(entry.substr(0, equals), entry.substr(equals + 1)).second) {
-      throw usage_error(fmt::format("--map: '{}' is given twice", entry.substr(0, equals)));
-    }
-  }
-  return columns;
 }
 
 }  // namespace proofmass::cli

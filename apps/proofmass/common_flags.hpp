@@ -5,12 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
-#include <vector>
 
 #include "proofmass/identify/options/field.hpp"
-#include "proofmass/record/csv/csv.hpp"
 
 namespace proofmass::cli {
 
@@ -20,14 +17,9 @@ struct CommonFlags {
 };
 
 void add_common(CLI::App& verb, CommonFlags& flags);
-void add_map(CLI::App& verb, std::vector<std::string>& map);
 // An option that names a file or folder: its name must not be empty.
 CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help);
 void add_json(CLI::App& verb, std::string& path);
-
-// "Ai=ax" of --map as the reader takes them. Throws a usage Error on what is not NAME=COLUMN or is given
-// twice.
-[[nodiscard]] std::map<std::string, std::string> renames(const std::vector<std::string>& map);
 
 // Adds an option whose number goes to `set` when the user gives it.
 void add_real(CLI::App& verb, const std::string& option, const Range<double>& range, const std::string& help,

@@ -224,14 +224,8 @@ std::vector<std::pair<std::string, std::string>> IdentifyFlags::more(const Metho
   return more;
 }
 
-void add_given(Provenance& provenance, const Method& method, const IdentifyFlags& flags,
-               const std::map<std::string, std::string>& renamed) {
+void add_given(Provenance& provenance, const Method& method, const IdentifyFlags& flags) {
   for (auto& option : flags.more(method)) provenance.options.push_back(std::move(option));
-  std::string map;
-  for (const auto& [column, name] : renamed) {
-    map += fmt::format("{}{}={}", map.empty() ? "" : ",", column, name);
-  }
-  provenance.options.emplace_back("map", map);
 }
 
 }  // namespace proofmass::cli

@@ -47,7 +47,6 @@ class IdentifyFlags {
 };
 
 // Adds to the provenance what the command line gave beside the options of the method.
-void add_given(Provenance& provenance, const Method& method, const IdentifyFlags& flags,
-               const std::map<std::string, std::string>& renamed);
+void add_given(Provenance& provenance, const Method& method, const IdentifyFlags& flags);
 
 }  // namespace proofmass::cli

@@ -96,7 +96,7 @@ TEST_F(Safety, ValuesBeyondTheRangeOfNumbersAreRefusedByTheirLine) {
     const std::string file = write("beyond.csv", text);
     for (const char* const seed : {"1", "2", "3", "4", "5", "6"}) {
       expect_failure(proofmass({"identify", file, "--terms", "K0,Ki", "--seed", seed}), 3,
-                     {"beyond.csv:19", column, "in size"});
+                     {"beyond.csv:19", column, "measured value"});
     }
     expect_failure(proofmass({"inspect", file}), 3, {"beyond.csv:19", column});
   }

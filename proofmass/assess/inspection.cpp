@@ -85,6 +85,8 @@ Inspection inspect(const Dataset& record) {
   inspection.source_sha256 = record.source_sha256;
   inspection.rows = record.rows();
   inspection.axes = record.axes();
+  inspection.ignored = record.ignored;
+  inspection.findings = record.findings;
   add_columns(inspection, record);
   inspection.mounts = summarise_mounts(record.mount);
   add_repeats(inspection, record);

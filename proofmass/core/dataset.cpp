@@ -46,6 +46,9 @@ Dataset Dataset::select(std::span<const std::size_t> rows) const {
   part.acceleration_unit = acceleration_unit;
   part.temperature_unit = temperature_unit;
   part.time_unit = time_unit;
+  part.output_unit_declared = output_unit_declared;
+  part.acceleration_unit_declared = acceleration_unit_declared;
+  part.acceleration_resolution = acceleration_resolution;
   part.source = source;
   part.source_sha256 = source_sha256;
   return part;

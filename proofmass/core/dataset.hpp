@@ -7,10 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "proofmass/core/finding.hpp"
 #include "proofmass/core/term.hpp"
 #include "proofmass/core/units.hpp"
 
 namespace proofmass {
+
+// A column of a file that no step uses.
+struct IgnoredColumn {
+  std::string header;
+  std::string nearest;  // the column of the contract whose name it looks like a slip of; empty: none
+};
 
 // A test record as columns (structure of arrays). Every column that is not empty has rows() values.
 struct Dataset {
@@ -28,8 +35,14 @@ struct Dataset {
   Unit acceleration_unit;  // as the record declares it
   Unit temperature_unit{.quantity = Quantity::temperature, .symbol = "degC", .to_canonical = 1.0};
   Unit time_unit{.quantity = Quantity::time, .symbol = "s", .to_canonical = 1.0};
-  std::string source;         // file name, or what made the record
-  std::string source_sha256;  // of the file's bytes; empty when not read from a file
+  bool output_unit_declared = true;        // by the record, not assumed
+  bool acceleration_unit_declared = true;  // likewise
+  // The step in which each input is written, in g: half of it is the largest rounding error. 0: not known.
+  std::array<double, 3> acceleration_resolution{};
+  std::vector<IgnoredColumn> ignored;
+  std::vector<Finding> findings;  // what reading skipped, converted and assumed
+  std::string source;             // file name, or what made the record
+  std::string source_sha256;      // of the file's bytes; empty when not read from a file
 
   // Rows of the record. A record with inputs only (for prediction) counts the input rows.
   [[nodiscard]] std::size_t rows() const noexcept {

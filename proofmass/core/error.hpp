@@ -56,7 +56,7 @@ class Error : public std::runtime_error {
 struct Place {
   std::string file;
   std::size_t row = 0;
-  std::string column;
+  std::string column{};
   std::string_view what = "column";
 };
 

@@ -23,6 +23,7 @@ struct Provenance {
   std::string input;  // file name
   std::string input_sha256;
   std::vector<std::pair<std::string, std::string>> options;  // resolved, in a fixed order
+  std::vector<Finding> reading;  // what reading the record skipped, converted and assumed
 };
 
 // A record's way through the pipeline: which rows did what, what came of it, and by which settings.

@@ -38,7 +38,10 @@ constexpr std::array kUnits{
     KnownUnit{Quantity::frequency, "kHz", 1.0},
     KnownUnit{Quantity::time, "s", 1.0},
     KnownUnit{Quantity::time, "ms", 1.0},
+    KnownUnit{Quantity::time, "min", 1.0},
+    KnownUnit{Quantity::time, "h", 1.0},
     KnownUnit{Quantity::temperature, "degC", 1.0},
+    KnownUnit{Quantity::temperature, "degF", 1.0},
     KnownUnit{Quantity::temperature, "K", 1.0},
 };
 
@@ -51,6 +54,32 @@ constexpr std::array kAliases{
     std::pair<std::string_view, std::string_view>{"count", "counts"},
     std::pair<std::string_view, std::string_view>{"LSB", "counts"},
     std::pair<std::string_view, std::string_view>{"C", "degC"},
+    std::pair<std::string_view, std::string_view>{"F", "degF"},
+    std::pair<std::string_view, std::string_view>{"ms2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"ms^2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m_s2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m_s^2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"mps2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m/s/s", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m/s**2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"ms-2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m s-2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m s^-2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m*s^-2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m*s-2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m s-^2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"m*s-^2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"ms-^2", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"cts", "counts"},
+    std::pair<std::string_view, std::string_view>{"Counts", "counts"},
+    std::pair<std::string_view, std::string_view>{"lsb", "counts"},
+    std::pair<std::string_view, std::string_view>{"digits", "counts"},
+    std::pair<std::string_view, std::string_view>{"Volt", "V"},
+    std::pair<std::string_view, std::string_view>{"Volts", "V"},
+    std::pair<std::string_view, std::string_view>{"volt", "V"},
+    std::pair<std::string_view, std::string_view>{"volts", "V"},
+    std::pair<std::string_view, std::string_view>{"sec", "s"},
+    std::pair<std::string_view, std::string_view>{"hr", "h"},
 };
 
 // Non-ASCII characters in unit symbols, and their replacements.
@@ -59,6 +88,12 @@ constexpr std::array kCharacters{
     std::pair<std::string_view, std::string_view>{"\u03BC", "u"},    // Greek small letter mu
     std::pair<std::string_view, std::string_view>{"\u00B2", "^2"},   // superscript two
     std::pair<std::string_view, std::string_view>{"\u00B0", "deg"},  // degree sign
+    std::pair<std::string_view, std::string_view>{"\u207B", "-"},    // superscript minus
+    std::pair<std::string_view, std::string_view>{"\u00B7", "*"},    // middle dot
+    std::pair<std::string_view, std::string_view>{"\u22C5", "*"},    // dot operator
+    std::pair<std::string_view, std::string_view>{"\u33A8", "m/s^2"},
+    std::pair<std::string_view, std::string_view>{"\u2103", "degC"},
+    std::pair<std::string_view, std::string_view>{"\u2109", "degF"},
 };
 
 std::string in_ascii(std::string_view text) {

@@ -2,12 +2,24 @@
 #include "proofmass/record/columns.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace proofmass {
 namespace {
 
 constexpr std::array<std::string_view, kColumns.size()> kNames{
     "Ai", "Ao", "Ap", "E", "sigma_E", "sigma_Ai", "sigma_Ao", "sigma_Ap", "mount", "T", "t"};
+
+// Names in Chinese records.
+constexpr std::array kOtherNames{
+    std::pair<std::string_view, Column>{"\u8F93\u5165\u8F74\u6BD4\u529B",
+                                        Column::Ai},  // specific force along IA
+    std::pair<std::string_view, Column>{"\u8F93\u51FA\u8F74\u6BD4\u529B", Column::Ao},  // along OA
+    std::pair<std::string_view, Column>{"\u6446\u8F74\u6BD4\u529B", Column::Ap},        // along PA
+    std::pair<std::string_view, Column>{"\u8F93\u51FA", Column::E},                     // output
+    std::pair<std::string_view, Column>{"\u6E29\u5EA6", Column::T},                     // temperature
+    std::pair<std::string_view, Column>{"\u65F6\u95F4", Column::t},                     // time
+};
 
 // Works for const and non-const data sets: `Record` is Dataset or const Dataset.
 template <typename Record>
@@ -57,6 +69,9 @@ auto& declared_unit(Record& record, Column column) {
 std::string_view column_name(Column column) noexcept { return kNames[static_cast<std::size_t>(column)]; }
 
 std::optional<Column> find_column(std::string_view name) noexcept {
+  for (const auto& [other, column] : kOtherNames) {
+    if (name == other) return column;
+  }
   const auto* const found = std::find(kNames.begin(), kNames.end(), name);
   if (found == kNames.end()) return std::nullopt;
   return kColumns[static_cast<std::size_t>(found - kNames.begin())];

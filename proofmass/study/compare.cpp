@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -18,6 +19,10 @@ Contestant contest(const Dataset& record, const Entry& entry, std::size_t repeat
   for (std::size_t r = 0; r < repeats; ++r, ++options.seed) {
     const auto start = std::chrono::steady_clock::now();
     contestant.runs.push_back(identify(record, entry.method, options, progress));
+    // What reading found is said once, not of each run.
+    std::erase_if(contestant.runs.back().identification.findings, [&record](const Finding& finding) {
+      return std::find(record.findings.begin(), record.findings.end(), finding) != record.findings.end();
+    });
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
     contestant.seconds.push_back(time.count());
   }
@@ -32,6 +37,7 @@ Comparison compare(const Dataset& record, std::span<const Entry> entries, std::s
   Comparison comparison;
   comparison.input = record.source;
   comparison.repeats = repeats;
+  comparison.findings = record.findings;
   for (const Entry& entry : entries) {
     comparison.seed = entry.options.seed;
     comparison.training_fraction = entry.options.split;

@@ -21,6 +21,7 @@
 #include "proofmass/stand/twin/simulation_file.hpp"
 #include "proofmass/study/truth.hpp"
 #include "proofmass/study/truth_doubts.hpp"
+#include "record_flags.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -29,9 +30,8 @@ namespace {
 struct CompareFlags {
   CommonFlags common;
   IdentifyFlags identify;
-  std::string record;
+  RecordFlags record;
   std::vector<std::string> methods;
-  std::vector<std::string> map;
   std::uint64_t repeats = 1;
   std::string json;
   std::string truth;  // the plan that the record was simulated by, or empty
@@ -76,24 +76,25 @@ std::string plan_named_by(const std::string& record) {
 
 void run_compare(const CompareFlags& flags) {
   const std::vector<Entry> entries = entries_of(flags);
-  const auto columns = renames(flags.map);
+  const ReadOptions reading = read_options(flags.record, flags.common);
   require_writable_file(flags.json);
-  require_other_file(flags.json, {flags.record, flags.truth});
+  require_other_file(flags.json, {flags.record.path, flags.truth});
   std::optional<SimulationPlan> truth;
   if (!flags.truth.empty()) truth = read_simulation(flags.truth);
   ConsoleProgress progress(flags.common.quiet);
-  const Dataset record = read_record(flags.record, {.rename = columns}, progress);
+  const Dataset record = read_record(flags.record.path, reading, progress);
   std::vector<Finding> doubts;
-  if (truth) doubts = doubts_about_truth(*truth, record, plan_named_by(flags.record));
+  if (truth) doubts = doubts_about_truth(*truth, record, plan_named_by(flags.record.path));
   const InterruptGuard guard;
   const ThreadLimit limit(flags.common.threads);
   Comparison comparison = compare(record, entries, flags.repeats, progress);
   progress.clear();
   if (truth) score_truth(comparison, record, *truth);
-  comparison.findings = std::move(doubts);
+  comparison.findings.insert(comparison.findings.end(), doubts.begin(), doubts.end());
   for (Contestant& contestant : comparison.contestants) {
     for (Run& run : contestant.runs) {
-      add_given(run.provenance, find_method(contestant.method), flags.identify, columns);
+      add_given(run.provenance, find_method(contestant.method), flags.identify);
+      add_given(run.provenance, flags.record);
     }
   }
   OutputFiles files;
@@ -106,7 +107,7 @@ void run_compare(const CompareFlags& flags) {
 
 Action add_compare(CLI::App& verb) {
   auto flags = std::make_shared<CompareFlags>();
-  verb.add_option("RUN.csv", flags->record, "The test record; - is standard input")->required();
+  add_record(verb, flags->record, "RUN.csv", "The test record; - is standard input");
   verb.add_option("--methods", flags->methods,
                   "Methods to compare, separated by commas; ratios refer to the first")
       ->required()
@@ -117,7 +118,6 @@ Action add_compare(CLI::App& verb) {
            "The plan that the record was simulated by: adds how far the coefficients are from the truth")
       ->type_name("STAND.toml");
   flags->identify.add_to(verb, IdentifyFlags::Naming::elsewhere);
-  add_map(verb, flags->map);
   add_json(verb, flags->json);
   add_common(verb, flags->common);
   verb.footer(

@@ -18,6 +18,7 @@
 #include "proofmass/report/csv.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/terminal/terminal.hpp"
+#include "record_flags.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -28,8 +29,7 @@ namespace fs = std::filesystem;
 struct VerbFlags {
   CommonFlags common;
   IdentifyFlags identify;
-  std::string record;
-  std::vector<std::string> map;
+  RecordFlags record;
   std::string json;
   std::string out;
 };
@@ -38,7 +38,8 @@ Run identify(const Dataset& record, const Method& method, const IdentifyOptions&
              const VerbFlags& flags, Progress& progress) {
   const ThreadLimit limit(flags.common.threads);
   Run run = proofmass::identify(record, method, options, progress);
-  add_given(run.provenance, method, flags.identify, renames(flags.map));
+  add_given(run.provenance, method, flags.identify);
+  add_given(run.provenance, flags.record);
   return run;
 }
 
@@ -75,10 +76,10 @@ void write_result(const Run& run, const Dataset& record, const VerbFlags& flags)
 
 void require_writable(const VerbFlags& flags) {
   require_writable_file(flags.json);
-  require_other_file(flags.json, {flags.record});
+  require_other_file(flags.json, {flags.record.path});
   if (!flags.out.empty()) {
     for (const char* name : {"result.json", "predictions.csv", "history.csv"}) {
-      require_other_file(fs::path(flags.out) / name, {flags.record});
+      require_other_file(fs::path(flags.out) / name, {flags.record.path});
     }
   }
   require_writable_folder(flags.out);
@@ -87,10 +88,10 @@ void require_writable(const VerbFlags& flags) {
 void run_identify(const VerbFlags& flags) {
   const Method method = flags.identify.method();
   const IdentifyOptions options = flags.identify.options();
-  const auto columns = renames(flags.map);
+  const ReadOptions reading = read_options(flags.record, flags.common);
   require_writable(flags);
   ConsoleProgress progress(flags.common.quiet);
-  const Dataset record = read_record(flags.record, {.rename = columns}, progress);
+  const Dataset record = read_record(flags.record.path, reading, progress);
   const InterruptGuard guard;
   const Run run = identify(record, method, options, flags, progress);
   progress.clear();
@@ -101,9 +102,8 @@ void run_identify(const VerbFlags& flags) {
 
 Action add_identify(CLI::App& verb) {
   auto flags = std::make_shared<VerbFlags>();
-  verb.add_option("RUN.csv", flags->record, "The test record; - is standard input")->required();
+  add_record(verb, flags->record, "RUN.csv", "The test record; - is standard input");
   flags->identify.add_to(verb);
-  add_map(verb, flags->map);
   add_json(verb, flags->json);
   add_path(verb, "--out", flags->out, "Write result.json, predictions.csv and history.csv to the folder DIR")
       ->type_name("DIR");

@@ -9,6 +9,7 @@
 #include "proofmass/assess/inspection.hpp"
 #include "proofmass/report/json/inspection.hpp"
 #include "proofmass/report/terminal/inspection.hpp"
+#include "record_flags.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -16,17 +17,16 @@ namespace {
 
 struct InspectFlags {
   CommonFlags common;
-  std::string record;
-  std::vector<std::string> map;
+  RecordFlags record;
   std::string json;
 };
 
 void run_inspect(const InspectFlags& flags) {
-  require_other_file(flags.json, {flags.record});
+  require_other_file(flags.json, {flags.record.path});
   require_folder_of(flags.json);
-  const auto columns = renames(flags.map);
+  const ReadOptions reading = read_options(flags.record, flags.common);
   ConsoleProgress progress(flags.common.quiet);
-  const Inspection inspection = inspect(read_record(flags.record, {.rename = columns}, progress));
+  const Inspection inspection = inspect(read_record(flags.record.path, reading, progress));
   progress.clear();
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(inspection));
@@ -38,8 +38,7 @@ void run_inspect(const InspectFlags& flags) {
 
 Action add_inspect(CLI::App& verb) {
   auto flags = std::make_shared<InspectFlags>();
-  verb.add_option("RUN.csv", flags->record, "The test record; - is standard input")->required();
-  add_map(verb, flags->map);
+  add_record(verb, flags->record, "RUN.csv", "The test record; - is standard input");
   add_json(verb, flags->json);
   add_common(verb, flags->common);
   verb.footer(

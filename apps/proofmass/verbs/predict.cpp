@@ -17,6 +17,7 @@
 #include "proofmass/report/csv.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/text/en.hpp"
+#include "record_flags.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -25,9 +26,8 @@ namespace {
 struct PredictFlags {
   CommonFlags common;
   std::string result;
-  std::string inputs;
+  RecordFlags inputs;
   std::string out = "-";
-  std::vector<std::string> map;
 };
 
 void require_finite(const std::vector<double>& outputs, const Dataset& inputs) {
@@ -41,26 +41,33 @@ void require_finite(const std::vector<double>& outputs, const Dataset& inputs) {
 }
 
 // A word to standard error, for standard output is the prediction.
+void say(const Finding& finding) {
+  std::fputs(fmt::format("proofmass: {}: {}\n", to_string(finding.severity), english(finding)).c_str(),
+             stderr);
+}
+
 void warn_of_extrapolation(const Identification& fit, const Dataset& inputs) {
-  if (const auto finding = find_extrapolation(fit, inputs)) {
-    std::fputs(fmt::format("proofmass: warning: {}\n", english(*finding)).c_str(), stderr);
-  }
+  if (const auto finding = find_extrapolation(fit, inputs)) say(*finding);
 }
 
 void run_predict(const PredictFlags& flags) {
-  if (flags.result == "-" && flags.inputs == "-") {
+  if (flags.result == "-" && flags.inputs.path == "-") {
     throw usage_error("standard input can be the result or the inputs, not both");
   }
-  require_other_file(flags.out, {flags.result, flags.inputs});
+  require_other_file(flags.out, {flags.result, flags.inputs.path});
   require_folder_of(flags.out);
-  const auto columns = renames(flags.map);
+  ReadOptions reading = read_options(flags.inputs, flags.common);
+  reading.require_output = false;
   const Identification fit = read_result(flags.result).identification;
   ConsoleProgress progress(flags.common.quiet);
-  const Dataset inputs = read_record(flags.inputs, {.rename = columns, .require_output = false}, progress);
+  const Dataset inputs = read_record(flags.inputs.path, reading, progress);
   progress.clear();
   std::ostringstream text;
   const std::vector<double> outputs = predict(fit, inputs);
   require_finite(outputs, inputs);
+  if (!flags.common.quiet) {
+    for (const Finding& finding : inputs.findings) say(finding);
+  }
   warn_of_extrapolation(fit, inputs);
   write_forecast(text, inputs, outputs, fit.output_unit);
   OutputFiles files;
@@ -73,10 +80,9 @@ void run_predict(const PredictFlags& flags) {
 Action add_predict(CLI::App& verb) {
   auto flags = std::make_shared<PredictFlags>();
   verb.add_option("RESULT.json", flags->result, "A result of identify; - is standard input")->required();
-  verb.add_option("INPUTS.csv", flags->inputs, "Accelerations, a row each; - is standard input")->required();
+  add_record(verb, flags->inputs, "INPUTS.csv", "Accelerations, a row each; - is standard input");
   add_path(verb, "--out", flags->out, "The predictions to write; -, the default, is standard output")
       ->type_name("FILE");
-  add_map(verb, flags->map);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

@@ -109,7 +109,9 @@ Decimal scan_decimal(const char* first, const char* last) noexcept {
   double value = 0.0;
   if (!divide(w, decimals, value)) return {};
   // Signs follow no pattern, so a branch would be mispredicted.
-  return {.value = std::bit_cast<double>(std::bit_cast<Word>(value) | Word{negative} << 63U), .end = at};
+  return {.value = std::bit_cast<double>(std::bit_cast<Word>(value) | Word{negative} << 63U),
+          .end = at,
+          .decimals = static_cast<int>(decimals)};
 }
 
 }  // namespace proofmass

@@ -11,6 +11,7 @@ inline constexpr std::size_t kDecimalWindow = 40;
 struct Decimal {
   double value = 0.0;
   const char* end = nullptr;  // first character after the number; null when it was not read
+  int decimals = 0;           // digits after the point
 };
 
 // Reads the number that begins at `first`, correctly rounded, if it has the usual form: an optional '-', at

@@ -9,7 +9,8 @@
 
 namespace proofmass {
 
-// The most frequent of comma, semicolon and tab in a header line, outside quotes; comma when there is none.
+// The most frequent of comma, semicolon and tab in a header line, outside quotes and brackets; a blank when
+// there is none of them, but blanks between words; else comma.
 [[nodiscard]] char detect_separator(std::string_view header) noexcept;
 
 // A tab counts as a blank unless it is the separator.
@@ -26,6 +27,10 @@ namespace proofmass {
 
 // The text of a trimmed field: quotes removed, "" inside them replaced by ". Empty when quotes do not match.
 [[nodiscard]] std::optional<std::string> unquoted(std::string_view field);
+
+// Characters that look like ASCII ones as those: full-width letters, digits and punctuation, minus and dash
+// as '-', blanks of any width as ' '.
+[[nodiscard]] std::string plain_characters(std::string_view text);
 
 // True for lines without data: blank lines and comments.
 [[nodiscard]] bool is_skipped(std::string_view line) noexcept;

@@ -4,9 +4,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
-
-#include "proofmass/record/csv/lines.hpp"
 
 namespace proofmass {
 
@@ -17,17 +16,33 @@ struct HeaderCell {
   std::optional<std::string> unit;
 };
 
+// How the fields of a line are told apart. A blank as separator stands for any run of blanks and tabs; the
+// lines are then read with tabs in their place (separated_by_tabs).
+struct Separation {
+  char mark = ',';
+  bool blanks = false;
+  bool fullwidth = false;  // commas and semicolons are full-width: U+FF0C, U+FF1B
+};
+
 struct Header {
   std::string file;
   std::size_t row = 0;
-  char separator = ',';
+  Separation separation;
   std::vector<HeaderCell> cells;
+  std::string text;  // the line as written
 };
 
-[[nodiscard]] HeaderCell parse_header_cell(const std::string& text);
+// Understands a unit in brackets, in parentheses (full-width ones too), and, where it is a unit that is
+// known, after " / ", " in ", "," or "_": `Ai[g]`, `Ai (g)`, `Ai / g`, `Ai in g`, `Ai, g`, `Ai_g`.
+[[nodiscard]] HeaderCell parse_header_cell(std::string_view text);
 
-// Reads lines up to and including the header: the first that is neither blank nor a comment. Throws a
-// bad-data Error when there is none, or when it has more than 1000 columns or a field with unmatched quotes.
-[[nodiscard]] Header read_header(LineReader& lines);
+// The cells of a header line. Throws a bad-data Error when it has more than 1000 columns or a field with
+// unmatched quotes. `separator`: said by the file itself; otherwise it is found out.
+[[nodiscard]] Header parse_header(const std::string& file, std::string_view line, std::size_t row,
+                                  std::optional<char> separator);
+
+// The line of a record as its header says that it is separated: blanks as tabs, full-width punctuation as
+// ASCII.
+[[nodiscard]] std::string separated_by_marks(std::string_view line, const Separation& separation);
 
 }  // namespace proofmass

@@ -4,10 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/record/csv/fields.hpp"
 #include "proofmass/record/csv/units.hpp"
 
 namespace proofmass {
@@ -19,12 +25,64 @@ std::string names_of(const Header& header) {
   return names;
 }
 
+std::string letters_of(std::string_view name) {
+  std::string letters;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return letters;
+}
+
+// The column whose name differs in case and punctuation alone.
+std::string nearest_name(std::string_view name) {
+  const std::string letters = letters_of(name);
+  if (letters.empty() || find_column(name)) return {};
+  for (const Column column : kColumns) {
+    if (column_name(column) != name && letters_of(column_name(column)) == letters)
+      return std::string(column_name(column));
+  }
+  return {};
+}
+
+// The header's cell that looks like a slip of a column's name.
+const HeaderCell* slip_of(const Header& header, Column column) {
+  const auto like = [column](const HeaderCell& cell) {
+    return nearest_name(cell.name) == column_name(column);
+  };
+  const auto found = std::find_if(header.cells.begin(), header.cells.end(), like);
+  return found == header.cells.end() ? nullptr : &*found;
+}
+
+// The header's cell that holds angles.
+const HeaderCell* angle_of(const Header& header) {
+  const auto is_angle = [](const HeaderCell& cell) {
+    return cell.unit && (*cell.unit == "deg" || *cell.unit == "rad" || *cell.unit == "\u00B0");
+  };
+  const auto found = std::find_if(header.cells.begin(), header.cells.end(), is_angle);
+  return found == header.cells.end() ? nullptr : &*found;
+}
+
 Error missing(const Header& header, Column column, const std::string& wanted) {
-  const std::string renamed =
-      wanted == column_name(column) ? "" : fmt::format(" (it was to be read as {})", column_name(column));
+  const bool own = wanted == column_name(column);
+  const std::string renamed = own ? "" : fmt::format(" (it was to be read as {})", column_name(column));
+  const HeaderCell* const angle = measured_by(column) || column == Column::E ? nullptr : angle_of(header);
+  const std::string advice =
+      angle == nullptr ? ""
+                       : fmt::format(
+                             "; '{}' is an angle: with the input axis at that angle from the vertical, Ai = "
+                             "cos(angle) and the cross axis sin(angle), in g. Add such columns",
+                             angle->text);
+  const HeaderCell* const slip = own ? slip_of(header, column) : nullptr;
+  std::vector<Remedy> remedies;
+  if (angle == nullptr)
+    remedies.push_back(
+        {"map", fmt::format("{}={}", column_name(column), slip == nullptr ? "NAME" : slip->text)});
   return bad_data(
       {.file = header.file, .row = header.row, .column = wanted}, names_of(header),
-      fmt::format("a column named {}{}; columns are separated by comma, semicolon or tab", wanted, renamed));
+      fmt::format("a column named {}{}; columns are separated by comma, semicolon, tab or blanks{}", wanted,
+                  renamed, advice),
+      std::move(remedies));
 }
 
 // The only cell that `matches`. Empty when there is none; throws an Error when there are more.
@@ -42,16 +100,49 @@ std::optional<std::size_t> only(const Header& header, const std::string& wanted,
   return found;
 }
 
-PlacedColumn renamed_column(const Header& header, Column column, const std::string& wanted) {
+// "#3" is the third column; nothing for other names.
+std::optional<std::size_t> position_of(std::string_view name) {
+  if (!name.starts_with('#')) return std::nullopt;
+  std::size_t position = 0;
+  const auto [end, status] = std::from_chars(name.data() + 1, name.data() + name.size(), position);
+  if (status != std::errc() || end != name.data() + name.size() || position == 0) return std::nullopt;
+  return position - 1;
+}
+
+struct FoundColumn {
+  std::size_t index = 0;
+  std::optional<std::string> unit;
+};
+
+// The column of the file that a renaming asks for: by its whole header, its name, its position; the unit may
+// be said besides where the header does not.
+std::optional<FoundColumn> find_renamed(const Header& header, const std::string& asked) {
+  const std::string wanted = plain_characters(asked);
   auto index = only(header, wanted, [&](const HeaderCell& cell) { return cell.text == wanted; });
   if (!index) index = only(header, wanted, [&](const HeaderCell& cell) { return cell.name == wanted; });
-  if (index) return place_column(header, column, *index, header.cells[*index].unit);
-  const HeaderCell named = parse_header_cell(wanted);
-  if (named.unit) {
-    index = only(header, named.name, [&](const HeaderCell& cell) { return cell.text == named.name; });
+  if (index) return FoundColumn{*index, header.cells[*index].unit};
+  const auto bracket = wanted.ends_with(']') ? wanted.rfind('[') : std::string::npos;
+  std::optional<std::string> unit;
+  std::string name = wanted;
+  if (bracket != std::string::npos) {
+    unit = wanted.substr(bracket + 1, wanted.size() - bracket - 2);
+    name = trim(std::string_view(wanted).substr(0, bracket), ',');
   }
-  if (!index) throw missing(header, column, wanted);
-  return place_column(header, column, *index, named.unit);
+  if (const auto position = position_of(name)) {
+    if (*position >= header.cells.size()) return std::nullopt;
+    return FoundColumn{*position, unit ? unit : header.cells[*position].unit};
+  }
+  if (!unit) return std::nullopt;
+  index = only(header, name, [&](const HeaderCell& cell) { return cell.text == name; });
+  if (!index)
+    index = only(header, name, [&](const HeaderCell& cell) { return cell.name == name && !cell.unit; });
+  return index ? std::optional(FoundColumn{*index, unit}) : std::nullopt;
+}
+
+PlacedColumn renamed_column(const Header& header, Column column, const std::string& wanted) {
+  const auto found = find_renamed(header, wanted);
+  if (!found) throw missing(header, column, wanted);
+  return place_column(header, column, found->index, found->unit);
 }
 
 std::vector<PlacedColumn> renamed_columns(const Header& header, const ReadOptions& options) {
@@ -84,10 +175,14 @@ void add_named_columns(const Header& header, std::vector<PlacedColumn>& placed) 
     if (std::any_of(renamed.begin(), renamed.end(),
                     [&](const PlacedColumn& p) { return p.column == column; }))
       continue;
-    const std::string name(column_name(column));
-    const auto index =
-        only(header, name, [&](const HeaderCell& cell) { return cell.name == name && !was_renamed(cell); });
-    if (index) placed.push_back(place_column(header, column, *index, header.cells[*index].unit));
+    const auto index = only(header, std::string(column_name(column)), [&](const HeaderCell& cell) {
+      return find_column(cell.name) == column && !was_renamed(cell);
+    });
+    if (!index) continue;
+    const auto& unit = header.cells[*index].unit;
+    // A column that no method needs may be something else: T[Nm].
+    if ((column == Column::T || column == Column::t) && !may_have_unit(column, unit)) continue;
+    placed.push_back(place_column(header, column, *index, unit));
   }
 }
 
@@ -97,6 +192,29 @@ bool holds(const std::vector<PlacedColumn>& placed, Column column) {
 }
 
 }  // namespace
+
+bool has_column(const Header& header, Column column, const ReadOptions& options) {
+  const auto renamed = options.rename.find(std::string(column_name(column)));
+  if (renamed != options.rename.end()) {
+    try {
+      return find_renamed(header, renamed->second).has_value();
+    } catch (const Error&) {
+      return true;  // two of them: lay_out says so
+    }
+  }
+  return std::any_of(header.cells.begin(), header.cells.end(),
+                     [column](const HeaderCell& cell) { return find_column(cell.name) == column; });
+}
+
+std::vector<IgnoredColumn> ignored_columns(const Header& header, const std::vector<PlacedColumn>& placed) {
+  std::vector<IgnoredColumn> ignored;
+  for (std::size_t k = 0; k < header.cells.size(); ++k) {
+    const auto is_here = [k](const PlacedColumn& column) { return column.index == k; };
+    if (std::any_of(placed.begin(), placed.end(), is_here)) continue;
+    ignored.push_back({.header = header.cells[k].text, .nearest = nearest_name(header.cells[k].name)});
+  }
+  return ignored;
+}
 
 std::vector<PlacedColumn> lay_out(const Header& header, const ReadOptions& options) {
   std::vector<PlacedColumn> placed = renamed_columns(header, options);

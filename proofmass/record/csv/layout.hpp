@@ -16,8 +16,17 @@ struct PlacedColumn {
   Column column = Column::Ai;
   std::size_t index = 0;  // of the field in a line, from 0
   Unit unit;
-  std::string header;  // as written in the file, for messages
+  bool declared = true;  // the file says the unit
+  std::string header;    // as written in the file, for messages
 };
+
+// Whether a header has a column for one of Proofmass's, by its name, by a usual other one, or as renamed;
+// true of a column renamed by a position that the header has.
+[[nodiscard]] bool has_column(const Header& header, Column column, const ReadOptions& options);
+
+// Columns of a header that are not placed, and the name of Proofmass's that each looks like a slip of.
+[[nodiscard]] std::vector<IgnoredColumn> ignored_columns(const Header& header,
+                                                         const std::vector<PlacedColumn>& placed);
 
 // Finds Proofmass's columns in a header, by name or as renamed. Unknown columns are ignored, and so are
 // uncertainties of columns that the file does not have. Throws a bad-data Error on a missing or duplicate

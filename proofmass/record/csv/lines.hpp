@@ -8,32 +8,57 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "proofmass/core/progress.hpp"
 #include "proofmass/files/sha256.hpp"
+#include "proofmass/record/csv/encoding.hpp"
 
 namespace proofmass {
 
-// Reads a text file line by line in blocks, and hashes what it reads. The longest line allowed limits the
-// memory. Lines end in LF or CRLF. Throws a bad-data Error when the input is not a text file: a directory,
-// control characters, UTF-16, or lines that are too long. Reports megabytes read when the file's size is
-// known, and throws an Error of kind interrupted when it is told to stop.
-class LineReader {
+// Whole lines of a text file in UTF-8, each ended by LF or CRLF but perhaps the last of the file.
+struct Chunk {
+  std::string text;
+  std::size_t first_line = 1;  // number of its first line in the file, from 1
+  std::size_t lines = 0;       // line ends
+};
+
+// Calls line(text, number) for each line of a chunk from a byte on, without line ends. `number` is the first
+// one's. Stops when the call returns false.
+template <typename Line>
+void for_each_line(std::string_view text, std::size_t number, Line&& line) {
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    std::string_view one = text.substr(0, end);
+    if (one.ends_with('\r')) one.remove_suffix(1);
+    if (!line(one, number)) return;
+    if (end == std::string_view::npos) return;
+    text.remove_prefix(end + 1);
+    ++number;
+  }
+}
+
+// Reads a text file in chunks of a quarter of a mebibyte or more, hashes what it reads and converts it to
+// UTF-8. Throws a bad-data Error when the input is no text: a directory, control characters, lines of more
+// than a mebibyte, bytes that are not of the encoding. Reports megabytes read when the file's size is known,
+// and throws an Error of kind interrupted when it is told to stop. Not for several threads at once.
+class ChunkReader {
  public:
   static constexpr std::size_t kLongestLine = std::size_t{1} << 20;  // bytes
 
-  // "-" is standard input. Keeps a reference to the progress, which must outlive this object.
-  LineReader(const std::filesystem::path& path, Progress& progress);
+  // "-" is standard input. Without an encoding it is found out. Keeps a reference to the progress, which must
+  // outlive this object.
+  ChunkReader(const std::filesystem::path& path, std::optional<Encoding> encoding, Progress& progress);
 
-  // The next line without its line end, valid until the next call. Empty at the end of the file.
-  [[nodiscard]] std::optional<std::string_view> next();
-  // Number of the line last returned, from 1.
-  [[nodiscard]] std::size_t line_number() const noexcept { return line_number_; }
-  // Estimated number of lines in the file, from the mean length so far; 0 when the file's size is unknown.
-  [[nodiscard]] std::size_t expected_lines() const noexcept;
+  // Empty at the end of the file.
+  [[nodiscard]] std::optional<Chunk> next();
+  // Bytes of the file over bytes read so far; 1 when the size is unknown.
+  [[nodiscard]] double growth() const noexcept;
   // Name of the file for messages.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  // UTF-8 as long as nothing beyond ASCII was read.
+  [[nodiscard]] Encoding encoding() const noexcept { return encoding_.value_or(Encoding::utf8); }
+  // Whether the file ended in Ctrl-Z, as DOS programs mark the end; it is left out.
+  [[nodiscard]] bool had_end_mark() const noexcept { return had_end_mark_; }
   // Hash of the bytes read. Call once, at the end of the file.
   [[nodiscard]] std::string sha256() { return hash_.hex(); }
 
@@ -42,9 +67,10 @@ class LineReader {
     void operator()(std::FILE* file) const noexcept;
   };
   bool fill();
+  void take_bytes(std::string_view bytes);
   void report() const;
-  [[nodiscard]] std::string_view take(std::size_t length, std::size_t skip);
-  void check(std::string_view line) const;
+  void decode(Chunk& chunk);
+  void check(const Chunk& chunk) const;
 
   std::string name_;
   std::unique_ptr<std::FILE, Close> file_;
@@ -52,12 +78,13 @@ class LineReader {
   std::size_t size_ = 0;  // of the file in bytes; 0 when unknown, as that of a pipe
   std::size_t read_ = 0;  // bytes
   Sha256 hash_;
-  std::vector<char> buffer_;
-  std::size_t begin_ = 0;  // of the bytes in the buffer that have not been returned yet
-  std::size_t end_ = 0;
-  bool clean_ = false;  // the buffer has no control characters other than tabs and line ends
+  std::string block_;                 // as read
+  std::string text_;                  // not returned yet; UTF-8 only where the encoding has no ASCII
+  std::optional<Encoding> encoding_;  // not known before there is something beyond ASCII
+  std::optional<Decoder> wide_;       // of UTF-16, whose line ends are two bytes
   bool at_end_ = false;
-  std::size_t line_number_ = 0;
+  bool had_end_mark_ = false;
+  std::size_t line_number_ = 0;  // of the last line returned
 };
 
 }  // namespace proofmass

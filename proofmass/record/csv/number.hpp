@@ -12,6 +12,8 @@ struct ScannedNumber {
   double value = 0.0;
   const char* end = nullptr;  // first character after the number
   NumberFault fault = NumberFault::none;
+  int decimals =
+      0;  // digits after the point of the number written out without its exponent: 8 for 1.25e-6, -1 for 5e1
 };
 
 // Reads the decimal number that begins at `first`, correctly rounded. A leading '+' is allowed, blanks are

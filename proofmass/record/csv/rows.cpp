@@ -3,104 +3,293 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "proofmass/core/utf8.hpp"
 #include "proofmass/record/csv/fields.hpp"
+#include "proofmass/record/csv/lenient.hpp"
+#include "proofmass/record/csv/lines.hpp"
 #include "proofmass/record/csv/number.hpp"
 
 namespace proofmass {
+namespace {
 
-RowParser::RowParser(const Header& header, const std::vector<PlacedColumn>& placed, Dataset& record)
-    : file_(header.file), separator_(header.separator), slots_(header.cells.size()), lines_(record.line) {
-  for (const PlacedColumn& column : placed) {
+constexpr std::size_t kLinesListed = 8;
+
+std::uint32_t bit_of(int decimals) noexcept {
+  return std::uint32_t{1} << static_cast<unsigned>(std::clamp(decimals, 0, 31));
+}
+
+template <typename Value>
+void move_to_end(std::vector<Value>& all, std::vector<Value>& later) {
+  if (all.empty()) {
+    all = std::move(later);
+  } else {
+    all.insert(all.end(), std::make_move_iterator(later.begin()), std::make_move_iterator(later.end()));
+  }
+}
+
+// The text of a field without its quotes.
+std::string content_of(std::string_view field, const Place& place) {
+  const auto text = unquoted(field);
+  if (!text) throw bad_data(place, field, "a field with matching quotes");
+  return std::string(trim(*text, ','));
+}
+
+Error bad_number(const Place& place, std::string_view field, const LenientNumber& number,
+                 bool decimal_comma) {
+  if (number.overload) {
+    return bad_data(place, field, "a measured value; this is a meter's mark for one beyond its range",
+                    {{"overload", "leave-out"}});
+  }
+  if (decimal_comma && number.fault == NumberFault::not_a_number &&
+      field.find('.') != std::string_view::npos) {
+    return bad_data(place, field, "a number with a decimal comma and no point, as in the other rows",
+                    {{"decimal", "point"}});
+  }
+  return bad_data(place, field, expected_number(field, number.fault));
+}
+
+}  // namespace
+
+void LineList::add(std::size_t line) {
+  if (line == last) return;
+  last = line;
+  if (++count <= kLinesListed) first.push_back(line);
+}
+
+void LineList::append(const LineList& later) {
+  count += later.count;
+  const std::size_t room = kLinesListed - std::min(kLinesListed, first.size());
+  first.insert(first.end(), later.first.begin(),
+               later.first.begin() + static_cast<std::ptrdiff_t>(std::min(room, later.first.size())));
+}
+
+void RowNotes::append(const RowNotes& later) {
+  for (const auto list : {&RowNotes::comments, &RowNotes::empty, &RowNotes::headers, &RowNotes::overloads,
+                          &RowNotes::converted, &RowNotes::cell_units}) {
+    (this->*list).append(later.*list);
+  }
+  clocks += later.clocks;
+  dates += later.dates;
+  for (std::size_t k = 0; k < kColumns.size(); ++k) {
+    missing[k] += later.missing[k];
+    decimals[k] |= later.decimals[k];
+  }
+}
+
+void RowBlock::append(RowBlock&& later) {
+  for (const Column column : kColumns) {
+    if (column != Column::mount) move_to_end(numbers(rows, column), numbers(later.rows, column));
+  }
+  move_to_end(rows.mount, later.rows.mount);
+  move_to_end(rows.line, later.rows.line);
+  notes.append(later.notes);
+}
+
+RowParser::RowParser(const RowFormat& format, RowBlock& block)
+    : format_(format),
+      block_(block),
+      separator_(format.header.separation.mark),
+      slots_(format.header.cells.size()) {
+  for (const PlacedColumn& column : format.placed) {
     Slot& slot = slots_[column.index];
-    slot.name = column_name(column.column);
+    slot.column = column.column;
+    slot.unit = column.unit.symbol;
     if (column.column == Column::mount) {
-      slot.labels = &record.mount;
+      slot.labels = &block.rows.mount;
       continue;
     }
-    slot.numbers = &numbers(record, column.column);
+    slot.numbers = &numbers(block.rows, column.column);
     slot.to_canonical = column.unit.to_canonical;
     slot.non_negative = measured_by(column.column).has_value();
+    slot.may_miss = column.column == Column::T || column.column == Column::t;
   }
 }
 
 void RowParser::reserve(std::size_t rows) {
-  lines_.reserve(rows);
+  block_.rows.line.reserve(rows);
   for (const Slot& slot : slots_) {
     if (slot.numbers != nullptr) slot.numbers->reserve(rows);
     if (slot.labels != nullptr) slot.labels->reserve(rows);
   }
 }
 
+void RowParser::parse(std::string_view text, std::size_t first_line) {
+  for_each_line(text, first_line, [this](std::string_view line, std::size_t number) {
+    append(line, number);
+    return true;
+  });
+  for (const Slot& slot : slots_)
+    block_.notes.decimals[static_cast<std::size_t>(slot.column)] |= slot.decimals;
+}
+
 void RowParser::append(std::string_view line, std::size_t line_number) {
+  const auto first = line.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return;
+  const Separation& separation = format_.header.separation;
+  const bool plain =
+      line[first] != '#' && !format_.decimal_comma && !separation.blanks && !separation.fullwidth;
+  if (!plain || !append_plain(line)) {
+    append_other(line, line_number);
+  } else {
+    block_.rows.line.push_back(line_number);
+  }
+}
+
+bool RowParser::append_plain(std::string_view line) {
   const char* at = line.data();
   const char* const last = at + line.size();
   for (std::size_t k = 0; k < slots_.size(); ++k) {
-    if (k > 0 && at++ == last) throw diagnose(line, line_number, k);
-    at = take(slots_[k], at, last);
-    if (at == nullptr) throw diagnose(line, line_number, k);
+    const bool there = k == 0 || at++ != last;
+    at = there ? take(slots_[k], at, last) : nullptr;
+    if (at == nullptr) {
+      keep(block_.rows.line.size());
+      return false;
+    }
   }
-  if (at != last) throw diagnose(line, line_number, slots_.size());
-  lines_.push_back(line_number);
+  if (at == last) return true;
+  keep(block_.rows.line.size());
+  return false;
 }
 
-const char* RowParser::take(const Slot& slot, const char* first, const char* last) const {
-  if (slot.numbers != nullptr) {
-    if (const char* const end = take_number(slot, first, last)) return end;
+// Takes back what was appended of a row.
+void RowParser::keep(std::size_t rows) {
+  for (const Slot& slot : slots_) {
+    if (slot.numbers != nullptr) slot.numbers->resize(rows);
+    if (slot.labels != nullptr) slot.labels->resize(rows);
   }
+}
+
+// The separator that ends the field at `first`, or `last`. Null when the field is not plain.
+const char* RowParser::take(Slot& slot, const char* first, const char* last) const {
+  if (slot.numbers != nullptr) return take_number(slot, first, last);
   const char* const end = field_end(first, last, separator_);
-  if (slot.numbers == nullptr && slot.labels == nullptr) return end;
+  if (slot.labels == nullptr) return end;
   const std::string_view field = trim({first, static_cast<std::size_t>(end - first)}, separator_);
-  return take_text(slot, field) ? end : nullptr;
+  auto text = unquoted(field);
+  if (!text || !is_utf8(*text)) return nullptr;
+  slot.labels->push_back(std::move(*text));
+  return end;
 }
 
-// The common case, read without a copy or a second pass: an unquoted number between blanks.
-const char* RowParser::take_number(const Slot& slot, const char* first, const char* last) const {
+const char* RowParser::take_number(Slot& slot, const char* first, const char* last) const {
   while (first != last && is_blank(*first, separator_)) ++first;
   const ScannedNumber number = scan_number(first, last);
-  if (number.fault != NumberFault::none || (slot.non_negative && number.value < 0.0)) return nullptr;
+  // Meters mark what they measure, not its uncertainty.
+  const bool good = slot.non_negative ? number.value >= 0.0 : std::abs(number.value) < kOverload;
+  if (number.fault != NumberFault::none || !good) return nullptr;
   const char* end = number.end;
   while (end != last && is_blank(*end, separator_)) ++end;
   if (end != last && *end != separator_) return nullptr;
   slot.numbers->push_back(number.value * slot.to_canonical);
+  slot.decimals |= bit_of(number.decimals);
   return end;
 }
 
-bool RowParser::take_text(const Slot& slot, std::string_view field) {
-  auto text = unquoted(field);
-  if (!text) return false;
-  if (slot.labels != nullptr) {
-    if (!is_utf8(*text)) return false;
-    slot.labels->push_back(std::move(*text));
-    return true;
+void RowParser::append_other(std::string_view line, std::size_t line_number) {
+  RowNotes& notes = block_.notes;
+  const std::string marked = separated_by_marks(line, format_.header.separation);
+  std::vector<std::string_view> fields = split_fields(marked, separator_);
+  const bool comment = line[line.find_first_not_of(" \t")] == '#';
+  if (comment && !is_commented_row(fields)) return notes.comments.add(line_number);
+  if (line == format_.header.text) return notes.headers.add(line_number);
+  if (std::all_of(fields.begin(), fields.end(), [](std::string_view field) { return field.empty(); }))
+    return notes.empty.add(line_number);
+  require_fields(fields, line, line_number);
+  if (format_.leave_out_overloads && has_overload(fields)) return notes.overloads.add(line_number);
+
+  Place place{.file = format_.header.file, .row = line_number, .column = {}};
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    Slot& slot = slots_[k];
+    if (slot.numbers == nullptr && slot.labels == nullptr) continue;
+    place.column = column_name(slot.column);
+    if (slot.labels != nullptr) {
+      take_label(slot, fields[k], place);
+    } else {
+      take_lenient(slot, fields[k], place);
+    }
   }
-  const std::string_view content = trim(*text, ',');
-  if (number_fault(content) != NumberFault::none) return false;
-  const double value = scan_number(content.data(), content.data() + content.size()).value;
-  if (slot.non_negative && value < 0.0) return false;
-  slot.numbers->push_back(value * slot.to_canonical);
-  return true;
+  block_.rows.line.push_back(line_number);
 }
 
-Error RowParser::diagnose(std::string_view line, std::size_t line_number, std::size_t failed) const {
-  const auto fields = split_fields(line, separator_);
-  Place place{.file = file_, .row = line_number, .column = {}};
-  if (fields.size() != slots_.size()) {
-    return bad_data(place, line,
-                    fmt::format("{} fields as in the header, not {}", slots_.size(), fields.size()));
+// A line that begins with '#' is a comment, unless it has the header's number of fields and a number in one
+// that needs one, or an error of a spreadsheet in front: then it is a row, whose label happens to begin so.
+bool RowParser::is_commented_row(const std::vector<std::string_view>& fields) const {
+  if (fields.size() != slots_.size()) return false;
+  if (is_spreadsheet_error(fields.front())) return true;
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    if (slots_[k].numbers == nullptr) continue;
+    const LenientNumber number = read_lenient(fields[k], format_.decimal_comma);
+    if (number.fault == NumberFault::none || number.overload) return true;
   }
-  const Slot& slot = slots_[failed];
-  const std::string_view field = fields[failed];
-  place.column = slot.name;
-  const auto text = unquoted(field);
-  if (!text) return bad_data(place, field, "a field with matching quotes");
-  if (slot.labels != nullptr) return bad_data(place, field, "text in UTF-8");
-  const std::string_view content = trim(*text, ',');
-  const NumberFault fault = number_fault(content);
-  if (fault != NumberFault::none) return bad_data(place, field, expected_number(content, fault));
-  return bad_data(place, field, "a standard uncertainty, which is not negative");
+  return false;
+}
+
+bool RowParser::has_overload(const std::vector<std::string_view>& fields) const {
+  for (std::size_t k = 0; k < slots_.size(); ++k) {
+    if (slots_[k].numbers == nullptr || slots_[k].may_miss) continue;
+    if (read_lenient(unquoted(fields[k]).value_or(""), format_.decimal_comma).overload) return true;
+  }
+  return false;
+}
+
+// Empty fields after the last column are no fields; columns that no step uses may be missing at the end.
+void RowParser::require_fields(std::vector<std::string_view>& fields, std::string_view line,
+                               std::size_t line_number) const {
+  const std::size_t written = fields.size();
+  while (fields.size() > slots_.size() && fields.back().empty()) fields.pop_back();
+  const auto needed = [](const Slot& slot) {
+    return slot.labels != nullptr || (slot.numbers != nullptr && !slot.may_miss);
+  };
+  const bool spare =
+      fields.size() < slots_.size() &&
+      std::none_of(slots_.begin() + static_cast<std::ptrdiff_t>(fields.size()), slots_.end(), needed);
+  if (spare) fields.resize(slots_.size());
+  if (fields.size() == slots_.size()) return;
+  throw bad_data({.file = format_.header.file, .row = line_number, .column = {}}, line,
+                 fmt::format("{} fields as in the header, not {}", slots_.size(), written));
+}
+
+void RowParser::take_label(const Slot& slot, std::string_view field, const Place& place) const {
+  auto text = unquoted(field);
+  if (!text) throw bad_data(place, field, "a field with matching quotes");
+  if (!is_utf8(*text)) throw bad_data(place, field, "text in UTF-8", {{"encoding", ""}});
+  slot.labels->push_back(std::move(*text));
+}
+
+void RowParser::take_lenient(Slot& slot, std::string_view field, const Place& place) {
+  const std::string content = slot.may_miss ? unquoted(field).value_or("") : content_of(field, place);
+  const LenientNumber number = read_lenient(content, format_.decimal_comma);
+  const bool good = number.fault == NumberFault::none && (slot.non_negative || !number.overload);
+  if (!good && slot.may_miss) return take_missing(slot, content);
+  if (!good) throw bad_number(place, field, number, format_.decimal_comma);
+  if (slot.non_negative && number.value < 0.0)
+    throw bad_data(place, field, "a standard uncertainty, which is not negative");
+  if (!number.unit.empty()) {
+    if (find_unit(number.unit)->symbol != slot.unit)
+      throw bad_data(place, field, fmt::format("a number, or one in the unit of the column, {}", slot.unit));
+    block_.notes.cell_units.add(place.row);
+  }
+  if (number.converted) block_.notes.converted.add(place.row);
+  slot.numbers->push_back(number.value * slot.to_canonical);
+  slot.decimals |= bit_of(number.decimals);
+}
+
+// A time of day or a date in the column t, or nothing that can be read.
+void RowParser::take_missing(Slot& slot, std::string_view field) {
+  if (slot.column == Column::t) {
+    if (const auto time = read_time(field)) {
+      ++(time->clock ? block_.notes.clocks : block_.notes.dates);
+      return slot.numbers->push_back(time->seconds);
+    }
+  }
+  ++block_.notes.missing[static_cast<std::size_t>(slot.column)];
+  slot.numbers->push_back(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace proofmass

@@ -47,6 +47,13 @@ Unit default_unit(Column column) {
   return unit_of(record, column);
 }
 
+// The header's own words may look like a unit and be none: "Voltage (Ch 2)".
+std::vector<Remedy> unit_remedy(const Header& header, Column column, std::size_t index) {
+  if (column == Column::mount || header.cells[index].text.find('[') != std::string::npos) return {};
+  return {{"map", fmt::format("{}={}[{}]", column_name(column), header.cells[index].text,
+                              default_unit(column).symbol)}};
+}
+
 PlacedColumn& placed_as(std::vector<PlacedColumn>& placed, Column column) {
   return *std::find_if(placed.begin(), placed.end(),
                        [column](const PlacedColumn& p) { return p.column == column; });
@@ -65,21 +72,27 @@ bool convertible(const Unit& from, const Unit& to) {
 
 }  // namespace
 
+bool may_have_unit(Column column, const std::optional<std::string>& unit) {
+  if (!unit) return true;
+  const auto known = find_unit(*unit);
+  const auto allowed = quantities(column);
+  return known && std::find(allowed.begin(), allowed.end(), known->quantity) != allowed.end();
+}
+
 PlacedColumn place_column(const Header& header, Column column, std::size_t index,
                           const std::optional<std::string>& unit) {
   PlacedColumn placed{
       .column = column, .index = index, .unit = default_unit(column), .header = header.cells[index].text};
   if (!unit) {
+    placed.declared = false;
     if (measured_by(column)) placed.unit.symbol.clear();
     return placed;
   }
-  const auto known = find_unit(*unit);
-  const auto allowed = quantities(column);
-  if (!known || std::find(allowed.begin(), allowed.end(), known->quantity) == allowed.end()) {
+  if (!may_have_unit(column, unit)) {
     throw bad_data({.file = header.file, .row = header.row, .column = std::string(column_name(column))},
-                   "[" + *unit + "]", units_allowed(column));
+                   "[" + *unit + "]", units_allowed(column), unit_remedy(header, column, index));
   }
-  placed.unit = *known;
+  placed.unit = *find_unit(*unit);
   return placed;
 }
 

@@ -16,6 +16,9 @@ namespace proofmass {
 [[nodiscard]] PlacedColumn place_column(const Header& header, Column column, std::size_t index,
                                         const std::optional<std::string>& unit);
 
+// Whether the unit is one that the column may have.
+[[nodiscard]] bool may_have_unit(Column column, const std::optional<std::string>& unit);
+
 // Gives each uncertainty without a unit the unit of its quantity. Throws a bad-data Error when the axes have
 // different units, or when the unit of an uncertainty cannot be converted to that of its quantity.
 void settle_units(const Header& header, std::vector<PlacedColumn>& placed);

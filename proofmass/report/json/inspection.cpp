@@ -34,6 +34,12 @@ Json json_of(const ColumnSummary& column) {
           {"mean", column.mean}};
 }
 
+Json json_of(const IgnoredColumn& column) {
+  Json json{{"name", column.header}};
+  if (!column.nearest.empty()) json["nearest"] = column.nearest;
+  return json;
+}
+
 Json json_of(const MountSummary& mount) { return {{"name", mount.name}, {"rows", mount.rows}}; }
 
 // Of a finding that says why a term is not identified.
@@ -83,7 +89,9 @@ std::string to_json(const Inspection& inspection) {
             {"axes_with_sigma", names_of(inspection.axes_with_sigma)},
             {"repeated_inputs", inspection.repeated_inputs},
             {"repeated_rows", inspection.repeated_rows},
-            {"models", list_of(inspection.presets)}};
+            {"models", list_of(inspection.presets)},
+            {"ignored_columns", list_of(inspection.ignored)},
+            {"findings", json_of(std::span(inspection.findings))}};
   return json_layout(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

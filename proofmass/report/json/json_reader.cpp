@@ -121,7 +121,9 @@ Provenance provenance_of(const JsonNode& node) {
   Provenance provenance{.version = node.at("version").text(),
                         .input = node.at("input").text(),
                         .input_sha256 = node.at("input_sha256").text(),
-                        .options = {}};
+                        .options = {},
+                        .reading = {}};
+  if (const auto reading = node.find("reading")) provenance.reading = findings_of(*reading);
   for (const auto& [key, value] : node.at("options").members()) {
     provenance.options.emplace_back(key, value.text());
   }

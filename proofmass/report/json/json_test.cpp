@@ -101,8 +101,12 @@ Run full_run() {
                              {"scale", 1.0 / 3},
                              {"unit", std::string("mA")}}},
                 {.code = Code::verbatim, .figures = {{"text", std::string("a note: µ, {x}, \"y\"")}}}};
-  run.provenance = {
-      .version = "0.2.0", .input = "a.csv", .input_sha256 = "ff", .options = {{"b", "2"}, {"a", "1"}}};
+  run.provenance = {.version = "0.2.0",
+                    .input = "a.csv",
+                    .input_sha256 = "ff",
+                    .options = {{"b", "2"}, {"a", "1"}},
+                    .reading = {{.code = Code::record_units_assumed,
+                                 .figures = {{"columns", std::string("Ai")}, {"unit", std::string("g")}}}}};
   return run;
 }
 
@@ -139,9 +143,10 @@ TEST(Json, WritesTheSchemaOfTheContract) {
   EXPECT_EQ(json["covariance"].size(), 2U);
   EXPECT_EQ(json["ending"]["status"], "early_stopped");
   EXPECT_FALSE(json.contains("split"));
-  EXPECT_EQ(
-      json["provenance"],
-      Json::parse(R"({"version":"0.2.0","input":"a.csv","input_sha256":"ff","options":{"b":"2","a":"1"}})"));
+  EXPECT_EQ(json["provenance"],
+            Json::parse(R"({"version":"0.2.0","input":"a.csv","input_sha256":"ff","options":{"b":"2","a":"1"},
+          "reading":[{"code":"record_units_assumed","severity":"note","figures":{"columns":"Ai","unit":"g"},
+          "text":"no unit is declared for Ai: g is assumed"}]})"));
   // The second name is that of 0.1.0.
   EXPECT_EQ(json["diagnostics"]["saturated_fraction"], 0.0);
   EXPECT_EQ(json["diagnostics"]["saturated_share"], 0.0);

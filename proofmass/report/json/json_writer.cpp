@@ -136,7 +136,8 @@ Json json_of(const Provenance& provenance) {
   return {{"version", provenance.version},
           {"input", provenance.input},
           {"input_sha256", provenance.input_sha256},
-          {"options", std::move(options)}};
+          {"options", std::move(options)},
+          {"reading", json_of(std::span(provenance.reading))}};
 }
 
 Json json_of(const TrainedNetwork& network) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
 #include "proofmass/report/text/en.hpp"
 
@@ -18,6 +19,16 @@ void write_columns(TerminalText& out, const std::vector<ColumnSummary>& columns)
                fmt::format("{:.6g}", c.mean)});
   }
   out.table(table);
+}
+
+void write_ignored(TerminalText& out, const std::vector<IgnoredColumn>& columns) {
+  if (columns.empty()) return;
+  std::string names;
+  for (const IgnoredColumn& column : columns) {
+    names.append(names.empty() ? "" : ", ").append(column.header);
+    if (!column.nearest.empty()) names += fmt::format(" (not {}?)", column.nearest);
+  }
+  out.line(fmt::format("ignored columns: {}", names));
 }
 
 void write_mounts(TerminalText& out, const std::vector<MountSummary>& mounts) {
@@ -56,7 +67,10 @@ void write_models(TerminalText& out, const Inspection& inspection) {
 std::string render_inspection(const Inspection& inspection, const TerminalStyle& style) {
   TerminalText out(style);
   out.heading(fmt::format("{}: {} rows", inspection.source, inspection.rows));
+  write_findings(out, inspection.findings, Severity::warning);
   write_columns(out, inspection.columns);
+  write_ignored(out, inspection.ignored);
+  write_findings(out, inspection.findings, Severity::note);
   if (inspection.repeated_inputs > 0) {
     out.line(fmt::format("{} rows repeat an earlier row's accelerations, {} of them its output too",
                          inspection.repeated_inputs, inspection.repeated_rows));

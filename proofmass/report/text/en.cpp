@@ -21,6 +21,39 @@ std::string_view sentence(Code code) noexcept {
     case Code::term_left_out:
     case Code::term_without_expansion:
       break;  // see english_reason
+    case Code::record_decoded:
+      return "the record is not in UTF-8: it was read as {encoding}";
+    case Code::record_preamble_skipped:
+      return "{count:.0f} lines above the header are skipped: {lines}";
+    case Code::record_header_in_comment:
+      return "line {lines}, a comment, is taken for the header";
+    case Code::record_units_line:
+      return "line {lines} is taken for the units of the columns";
+    case Code::record_units_in_cells:
+      return "units are taken from the cells, in {count:.0f} rows";
+    case Code::record_units_assumed:
+      return "no unit is declared for {columns}: {unit} is assumed";
+    case Code::record_decimal_comma:
+      return "numbers have a decimal comma";
+    case Code::record_fullwidth:
+      return "full-width punctuation and digits are read as ASCII";
+    case Code::record_numbers_converted:
+      return "{count:.0f} rows have numbers in full-width digits, with a Unicode minus or blank, or with an "
+             "exponent of Fortran (1.5D+00), which are read as usual: lines {lines}";
+    case Code::record_times_converted:
+      return "times of day or dates in the column t are read as seconds since the first row";
+    case Code::record_comments_skipped:
+      return "{count:.0f} comment lines among the data are skipped: {lines}";
+    case Code::record_empty_rows_skipped:
+      return "{count:.0f} rows of empty fields are skipped: {lines}";
+    case Code::record_headers_skipped:
+      return "{count:.0f} repetitions of the header are skipped: {lines}";
+    case Code::record_overloads_left_out:
+      return "{count:.0f} rows are left out because a meter marked a value beyond its range: lines {lines}";
+    case Code::record_column_unusable:
+      return "the column {column} is not used: {count:.0f} of {total:.0f} rows have no number there";
+    case Code::record_end_mark:
+      return "Ctrl-Z at the end of the file is left out";
     case Code::inputs_collinear:
       return "the inputs are collinear: variance inflation factors above {limit:g} ({inflated}). The "
              "standard errors of these coefficients are large; test in more mounts to make them smaller";

@@ -61,8 +61,8 @@ Finding with_every_figure(Code code) {
                              "quantile_ratio"}) {
     finding.figures.emplace_back(number, 2.0);
   }
-  for (const char* word : {"axes", "column", "criterion", "inflated", "method", "named", "origin", "plan",
-                           "product", "text", "unit"}) {
+  for (const char* word : {"axes", "column", "columns", "encoding", "criterion", "inflated", "method",
+                           "named", "origin", "plan", "product", "text", "unit"}) {
     finding.figures.emplace_back(word, "<" + std::string(word) + ">");
   }
   return finding;

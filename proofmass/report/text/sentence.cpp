@@ -50,6 +50,18 @@ std::string plain(const Finding& finding) {
   return text;
 }
 
+// "14, 15, ..." where the finding counts more lines than it lists.
+std::string listed(const std::vector<std::size_t>& lines, const Finding& finding) {
+  std::string text;
+  for (const std::size_t line : lines) text += fmt::format("{}{}", text.empty() ? "" : ", ", line);
+  for (const Figure& figure : finding.figures) {
+    const auto* const count = std::get_if<double>(&figure.value);
+    if (figure.name == "count" && count != nullptr && *count > static_cast<double>(lines.size()))
+      text += ", ...";
+  }
+  return text;
+}
+
 void add(Arguments& arguments, const std::string& name, std::variant<double, std::string> value) {
   arguments.push_back(fmt::arg(name.c_str(), ShownFigure{std::move(value)}));
 }
@@ -59,6 +71,7 @@ void add(Arguments& arguments, const std::string& name, std::variant<double, std
 std::string filled(std::string_view sentence, const Finding& finding, Phrase phrase) {
   Arguments arguments;
   add(arguments, "terms", join_names(finding.terms));
+  add(arguments, "lines", listed(finding.lines, finding));
   const auto words_of = [&](const Figure& figure) {
     const auto* const word = std::get_if<std::string>(&figure.value);
     return word == nullptr || phrase == nullptr ? std::string_view() : phrase(figure.name, *word);

@@ -13,8 +13,9 @@ namespace proofmass {
 using Phrase = std::string_view (*)(std::string_view figure, std::string_view word) noexcept;
 
 // The sentence with each figure in the place of its name in braces, formatted as fmt does, and the names of
-// the finding's terms in place of {terms}. The format of a number is passed over where the figure is a word.
-// Code and figures alone when the finding, read from a file, lacks a figure of the sentence.
+// the finding's terms in place of {terms}, the numbers of its lines in place of {lines}. The format of a
+// number is passed over where the figure is a word. Code and figures alone when the finding, read from a
+// file, lacks a figure of the sentence.
 [[nodiscard]] std::string filled(std::string_view sentence, const Finding& finding, Phrase phrase = nullptr);
 
 [[nodiscard]] bool has_figure(const Finding& finding, std::string_view name) noexcept;
