@@ -19,6 +19,7 @@ set(numeric_threads
 set(identify_threads
   */Law.SameSeed* */Law.PredictAgrees* Bp.S* PsoBp.* Refine.* Fitness.DependsOnThePositionAlone Afsa.* GmdhCombi.*
   GmdhMia.* StaticOutputs.* Wls.ManyRows*)
+set(record_threads ReadRecord.IsTheSame* ReadRecord.NamesTheFirst*)
 set(assess_threads HiddenSearch.*)
 set(pipeline_threads */Identify.*)
 

@@ -16,6 +16,7 @@
 #include "interrupts.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/nearest.hpp"
 #include "proofmass/core/version.hpp"
 #include "proofmass/report/text/en.hpp"
 #include "verbs/verbs.hpp"
@@ -49,6 +50,14 @@ void complain(const std::string& message) noexcept {
   std::fputs("\n", stderr);
 }
 
+// Quoted where a shell would take it apart.
+std::string for_the_shell(const std::string& word) {
+  const bool plain =
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_=,.+-/:@%") ==
+      std::string::npos;
+  return plain ? word : "'" + word + "'";
+}
+
 // Why, and what a user can do about it, as flags: "--split 1 or --terms K0,Ki,...".
 std::string explained(const Error& error) {
   std::string text = error.what();
@@ -62,20 +71,55 @@ std::string explained(const Error& error) {
                          flags.empty()          ? ""
                          : remedy.with_previous ? " "
                                                 : " or ",
-                         remedy.option, value);
+                         remedy.option, for_the_shell(value));
   }
   return flags.empty() ? text : fmt::format("{}\ntry: {}", text, flags);
 }
 
 // A word that should have been a verb; CLI11 would only say that a verb is missing.
 void require_known_verb(const std::string& word) {
+  std::vector<std::string_view> names;
   std::string list;
   for (const Verb& verb : kVerbs) {
     if (word == verb.name) return;
+    names.emplace_back(verb.name);
     list.append(list.empty() ? "" : ", ").append(verb.name);
   }
-  if (!word.starts_with('-'))
-    throw usage_error(fmt::format("unknown verb '{}', expected one of {}", word, list));
+  if (!word.starts_with('-')) {
+    throw usage_error(fmt::format("unknown verb '{}', expected one of {}{}", excerpt(word), list,
+                                  did_you_mean(word, names)));
+  }
+}
+
+// What CLI11 says of a word that the verb does not know, with the option that it looks like and the page of
+// help that lists them.
+Error misused(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string_view>& words) {
+  std::string page = "proofmass --help";
+  std::string meant;
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    if (words.size() < 2 || verb->get_name() != words[1]) continue;
+    page = fmt::format("proofmass {} --help", verb->get_name());
+    std::vector<std::string> names;
+    for (const CLI::Option* option : verb->get_options()) {
+      if (!option->get_group().empty()) names.push_back(option->get_name());
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    for (const std::string_view word : words) {
+      if (!word.starts_with("--") || std::find(views.begin(), views.end(), word) != views.end()) continue;
+      if (meant.empty()) meant = did_you_mean(word.substr(0, word.find('=')), views);
+    }
+  }
+  return usage_error(fmt::format("{}{} (see {})", error.what(), meant, page));
+}
+
+// "proofmass" and "proofmass help" are the program's help, "proofmass help VERB" is the verb's.
+std::vector<std::string> as_typed(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty()) return {"--help"};
+  if (words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
 }
 
 // Parses the command line and does what it says. CLI11 would exit with codes of its own (105 and up): they
@@ -87,16 +131,18 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kFooter);
   std::vector<std::pair<CLI::App*, Action>> actions;
-  const std::vector<std::string_view> words(argv, argv + argc);
+  std::vector<std::string> typed = as_typed(argc, argv);
+  std::vector<std::string_view> words(typed.begin(), typed.end());
+  words.insert(words.begin(), "proofmass");
   for (const Verb& verb : kVerbs) {
     CLI::App* const added = app.add_subcommand(verb.name, verb.description);
     // The options of a verb that no word names would be made for nothing.
     if (std::find(words.begin(), words.end(), verb.name) == words.end()) continue;
     actions.emplace_back(added, verb.add(*added));
   }
-  if (argc > 1) require_known_verb(argv[1]);
+  require_known_verb(typed.front());
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(typed.rbegin(), typed.rend()));  // CLI11 takes them from the back
   } catch (const CLI::CallForVersion& version_text) {
     print(fmt::format("{}\n", version_text.what()));
     return 0;
@@ -104,7 +150,7 @@ int dispatch(int argc, char** argv) {
     print(app.help());
     return 0;
   } catch (const CLI::ParseError& error) {
-    throw usage_error(fmt::format("{} (see proofmass --help)", error.what()));
+    throw misused(error, app, words);
   }
   for (const auto& [verb, action] : actions) {
     if (verb->parsed()) action();

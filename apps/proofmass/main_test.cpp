@@ -14,15 +14,23 @@ TEST_F(Program, HelpsAndNamesItsVersion) {
     EXPECT_NE(help.out.find(std::string("Examples:\n  proofmass ") + verb), std::string::npos) << help.out;
     EXPECT_EQ(help.err, "");
   }
-  EXPECT_EQ(proofmass({"--help"}).exit_code, 0);
+  const Outcome help = proofmass({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_EQ(proofmass({}).out, help.out);
+  EXPECT_EQ(proofmass({"help"}).out, help.out);
+  EXPECT_EQ(proofmass({"help", "identify"}).out, proofmass({"identify", "--help"}).out);
   EXPECT_TRUE(proofmass({"--version"}).out.starts_with("proofmass "));
 }
 
 TEST_F(Program, ExitsWithTwoOnUsageErrors) {
   const std::string record = make_record();
-  expect_failure(proofmass({}), 2, {"--help"});
   expect_failure(proofmass({"divine", record}), 2, {"unknown verb 'divine'", "identify"});
-  expect_failure(proofmass({"identify"}), 2, {"RUN.csv"});
+  expect_failure(proofmass({"identfy", record}), 2, {"did you mean identify?"});
+  expect_failure(proofmass({"help", "identfy"}), 2, {"did you mean identify?"});
+  expect_failure(proofmass({"identify", record, "--metod", "ols"}), 2,
+                 {"--metod", "did you mean --method?", "proofmass identify --help"});
+  expect_failure(proofmass({"identify", record, "--method", "pso_bp"}), 2, {"did you mean pso-bp?"});
+  expect_failure(proofmass({"identify"}), 2, {"RUN.csv", "proofmass identify --help"});
   expect_failure(proofmass({"identify", record, "--frobnicate"}), 2, {"--frobnicate"});
   expect_failure(proofmass({"identify", record, "extra"}), 2, {"extra"});
   expect_failure(proofmass({"identify", record, "--method", "magic"}), 2, {"magic", "ols"});

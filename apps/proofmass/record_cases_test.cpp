@@ -71,11 +71,17 @@ INSTANTIATE_TEST_SUITE_P(
         RecordCase{"units-in-parentheses.csv",
                    {"--map", "Ai=Acceleration x,Ao=Acceleration y,Ap=Acceleration z,E=Chan 201"},
                    1e3},
-        RecordCase{"units-after-slash.csv", {}, 1e3}, RecordCase{"units-suffix.csv", {}, 1e3},
+        RecordCase{"units-after-slash.csv", {}, 1e3},
+        RecordCase{
+            "units-suffix.csv",
+            {},
+            1e3,
+            {"record_unit_in_name", "record_unit_in_name", "record_unit_in_name", "record_unit_in_name"}},
         RecordCase{"units-row.csv", {}, 1e3, {"record_units_line"}},
         RecordCase{"units-row-in-comment.csv", {}, 1e3, {"record_units_line"}},
         RecordCase{"header-in-comment.csv", {}, 1.0, {"record_header_in_comment", "record_units_assumed"}},
-        RecordCase{"hash-labels.csv"}, RecordCase{"decimal-comma.csv", {}, 1.0, {"record_decimal_comma"}},
+        RecordCase{"hash-labels.csv", {}, 1.0, {"record_labels_with_mark"}},
+        RecordCase{"decimal-comma.csv", {}, 1.0, {"record_decimal_comma"}},
         RecordCase{"decimal-comma.tsv", {}, 1.0, {"record_decimal_comma"}},
         RecordCase{"decimal-comma.csv", {"--decimal", "point"}, 1.0, {}, {"decimal comma"}},
         RecordCase{"thousands-point.csv", {}, 1.0, {}, {"column 'E'", "--decimal point"}},
@@ -101,6 +107,18 @@ INSTANTIATE_TEST_SUITE_P(
         RecordCase{"unit-in-cells.csv", {}, 1.0, {"record_units_in_cells"}},
         RecordCase{"angles.csv", {}, 1.0, {}, {"Ai = cos(angle)"}}),
     name_of);
+
+// A tumble in 1 g whose inputs have three decimals.
+using RoundedRecords = CommandLine;
+TEST_F(RoundedRecords, NameTheTermsThatRoundingSetsApart) {
+  const auto path = reference_data("../cases/records/tumble-rounded.csv");
+  if (!path) GTEST_SKIP() << kNoReferenceData;
+  expect_failure(proofmass({"identify", path->string(), "--model", "quadratic", "--split", "1"}), 4,
+                 {"Koo is not identified: aliased with K0, Kii at the resolution of the record", "0.001 g"});
+  const Outcome seen = proofmass({"inspect", path->string()});
+  ASSERT_EQ(seen.exit_code, 0) << seen.err;
+  EXPECT_NE(seen.out.find("Koo: aliased with K0, Kii"), std::string::npos) << seen.out;
+}
 
 // Rows that a meter marked are left out when that is asked for, and counted.
 using OverloadedRecords = CommandLine;

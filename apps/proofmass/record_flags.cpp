@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/options/field_text.hpp"
+#include "proofmass/record/columns.hpp"
 
 namespace proofmass::cli {
 namespace {
@@ -63,17 +65,21 @@ std::map<std::string, std::string> renames(const std::vector<std::string>& map) 
     last.clear();
     for (const std::string& part : parts_of(list)) {
       const std::size_t equals = part.find('=');
-      // A comma may belong to the name of the column: Ai=Specific force, X.
-      if (equals == std::string::npos && !last.empty()) {
+      // A comma may belong to the name of the column: Ai=Specific force, X. The name of a column of a record
+      // does not.
+      const bool continues = equals == std::string::npos && !last.empty() && !trimmed(part).empty() &&
+                             !find_column(trimmed(part));
+      if (continues) {
         columns.at(last) += "," + part;
         continue;
       }
-      if (equals == std::string::npos || equals == 0 || equals + 1 == part.size()) {
-        throw usage_error(fmt::format("--map: found '{}', expected NAME=COLUMN, as Ai=ax", part));
-      }
-      last = part.substr(0, equals);
-      std::string column = part.substr(equals + 1);
+      last = equals == std::string::npos ? "" : trimmed(std::string_view(part).substr(0, equals));
+      std::string column(equals == std::string::npos ? ""
+                                                     : trimmed(std::string_view(part).substr(equals + 1)));
       std::erase(column, '"');
+      if (last.empty() || column.empty()) {
+        throw usage_error(fmt::format("--map: found '{}', expected NAME=COLUMN, as Ai=ax", excerpt(part)));
+      }
       if (!columns.emplace(last, column).second)
         throw usage_error(fmt::format("--map: '{}' is given twice", last));
     }

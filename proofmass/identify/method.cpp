@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/nearest.hpp"
 #include "proofmass/identify/model/term_rows.hpp"
 #include "proofmass/identify/network/presets.hpp"
 #include "proofmass/identify/network/scaling.hpp"
@@ -43,12 +44,15 @@ std::span<const Method> methods() {
 }
 
 Method find_method(std::string_view name) {
+  std::vector<std::string_view> names;
   std::string known;
   for (const Method& method : methods()) {
     if (info(method).name == name) return method;
+    names.push_back(info(method).name);
     known += (known.empty() ? "" : ", ") + std::string(info(method).name);
   }
-  throw usage_error("unknown method '" + excerpt(name) + "'; expected one of " + known);
+  throw usage_error("unknown method '" + excerpt(name) + "'; expected one of " + known +
+                    did_you_mean(name, names));
 }
 
 const MethodInfo& info(const Method& method) {

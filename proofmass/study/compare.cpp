@@ -46,7 +46,7 @@ Comparison compare(const Dataset& record, std::span<const Entry> entries, std::s
     } catch (const Error& error) {
       const std::string_view what = error.what();
       const std::string named =
-          what.starts_with(entry.name) ? std::string(what) : entry.name + ": " + error.what();
+          what.starts_with(entry.name + " ") ? std::string(what) : entry.name + ": " + error.what();
       throw Error(error.kind(), named, error.remedies(), error.findings());
     }
   }

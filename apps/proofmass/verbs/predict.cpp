@@ -65,9 +65,7 @@ void run_predict(const PredictFlags& flags) {
   std::ostringstream text;
   const std::vector<double> outputs = predict(fit, inputs);
   require_finite(outputs, inputs);
-  if (!flags.common.quiet) {
-    for (const Finding& finding : inputs.findings) say(finding);
-  }
+  for (const Finding& finding : inputs.findings) say(finding);
   warn_of_extrapolation(fit, inputs);
   write_forecast(text, inputs, outputs, fit.output_unit);
   OutputFiles files;

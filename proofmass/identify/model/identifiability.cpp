@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/identify/model/written_resolution.hpp"
 #include "proofmass/numeric/linear/rank_analysis.hpp"
 
 namespace proofmass {
@@ -62,6 +63,19 @@ Finding zero_finding(Term term, const Dataset& data, const AxisRanges& ranges) {
   return {.code = Code::term_input_zero, .terms = {term}, .figures = {{"product", std::string(zero)}}};
 }
 
+// Elements of a combination, of unit length, that rounding of the inputs cannot have made.
+constexpr double kNoticeable = 0.01;
+
+// Of the axes that the term uses, in g; of all axes for K0.
+double coarsest_step(Term term, const Dataset& data) {
+  double step = 0.0;
+  for (const Axis axis : data.axes()) {
+    if (info(term).uses(axis) || info(term).order() == 0)
+      step = std::max(step, data.acceleration_resolution[static_cast<std::size_t>(axis)]);
+  }
+  return step;
+}
+
 // The terms other than `term` that the vanishing combination holds.
 TermList support(const std::vector<double>& combination, const TermList& terms, Term term, double threshold) {
   TermList others;
@@ -70,6 +84,26 @@ TermList support(const std::vector<double>& combination, const TermList& terms, 
   }
   std::sort(others.begin(), others.end());
   return others;
+}
+
+// Why the term of column c is not identified, by the combination of columns that vanishes.
+Finding unidentified(std::size_t c, const RankAnalysis& analysis, const std::vector<double>& combination,
+                     const TermList& terms, const Dataset& data, const AxisRanges& ranges) {
+  const Term term = terms[c];
+  const bool hidden = std::find(analysis.hidden.begin(), analysis.hidden.end(), c) != analysis.hidden.end();
+  // Rounding in a combination's elements grows with the condition of the columns it is made of.
+  const double threshold = hidden ? kNoticeable : std::max(1e-12, kRoundingZero * analysis.condition_scaled);
+  TermList aliased = support(combination, terms, term, threshold);
+  if (aliased.empty() && !hidden) return zero_finding(term, data, ranges);
+  aliased.insert(aliased.begin(), term);
+  if (hidden) {
+    return {.code = Code::term_hidden_by_rounding,
+            .terms = std::move(aliased),
+            .figures = {{"step", coarsest_step(term, data)}}};
+  }
+  if (analysis.rank == data.rows())
+    return {.code = Code::term_beyond_rows, .terms = std::move(aliased), .figures = {{"rows", data.rows()}}};
+  return {.code = Code::term_aliased, .terms = std::move(aliased)};
 }
 
 Error not_identifiable(const Dataset& data, const TermList& terms, Identifiability found) {
@@ -162,32 +196,20 @@ Identifiability analyse_identifiability(const TermSums& sums, const TermList& te
   const AxisRanges ranges = without_rounding(sums.ranges());
   GramMatrix gram = sums.gram(ordered);
   clear_rounding(gram, ordered, ranges);
-  const RankAnalysis analysis = analyse_rank(gram);
+  const auto rounding = rounding_products(data, ordered);
+  const RankAnalysis analysis = rounding ? analyse_rank(gram, *rounding) : analyse_rank(gram);
 
   Identifiability result{.identified = {},
                          .unidentified = {},
                          .condition_raw = analysis.condition_raw,
                          .condition_scaled = analysis.condition_scaled};
-  // Rounding in a combination's elements grows with the condition of the columns it is made of.
-  const double threshold = std::max(1e-12, kRoundingZero * analysis.condition_scaled);
   for (std::size_t c = 0, next = 0; c < ordered.size(); ++c) {
-    const Term term = ordered[c];
     if (std::binary_search(analysis.independent.begin(), analysis.independent.end(), c)) {
-      result.identified.push_back(term);
-      continue;
+      result.identified.push_back(ordered[c]);
+    } else {
+      result.unidentified.push_back(
+          unidentified(c, analysis, analysis.null_space[next++], ordered, data, ranges));
     }
-    const auto& combination = analysis.null_space[next++];
-    TermList terms_of_combination = support(combination, ordered, term, threshold);
-    if (terms_of_combination.empty()) {
-      result.unidentified.push_back(zero_finding(term, data, ranges));
-      continue;
-    }
-    const bool every_row_counts = analysis.rank == data.rows();
-    terms_of_combination.insert(terms_of_combination.begin(), term);
-    Finding finding{.code = every_row_counts ? Code::term_beyond_rows : Code::term_aliased,
-                    .terms = std::move(terms_of_combination)};
-    if (every_row_counts) finding.figures = {{"rows", data.rows()}};
-    result.unidentified.push_back(std::move(finding));
   }
   std::sort(result.identified.begin(), result.identified.end());
   sort_by_term(result.unidentified);

@@ -109,6 +109,47 @@ TEST(Identifiability, ConstantAxisIsTheBias) {
   expect_aliased(found, {Term::Ko, Term::K0});
 }
 
+// Rounded to a number of decimals, as a record holds it.
+Dataset rounded(Dataset record, int decimals) {
+  const double step = std::pow(10.0, -decimals);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (double& value : record.acceleration[axis]) value = std::round(value / step) * step;
+    if (!record.acceleration[axis].empty()) record.acceleration_resolution[axis] = step;
+  }
+  return record;
+}
+
+// cos² + sin² = 1 however the record is written: rounding alone must not tell K0, Kii and Koo apart.
+TEST(Identifiability, RoundingTellsNoTermsApart) {
+  for (const int decimals : {3, 4, 5, 6}) {
+    const Identifiability found =
+        analyse_identifiability(rounded(make_tumble(), decimals), parse_terms("full"));
+    EXPECT_EQ(join_names(found.identified), "K0, Ki, Kii, Koq, Kiii, Kio, Ko, Kooo") << decimals;
+    const Finding& koo = cause(found, Term::Koo);
+    EXPECT_EQ(koo.code, Code::term_hidden_by_rounding) << decimals;
+    EXPECT_EQ(koo.terms, (TermList{Term::Koo, Term::K0, Term::Kii})) << decimals;
+    EXPECT_EQ(koo.figures, (std::vector<Figure>{{"step", std::pow(10.0, -decimals)}}));
+  }
+}
+
+// A record that can tell all terms apart still can when it is written with few decimals.
+TEST(Identifiability, RoundingHidesNothingOfARecordWithLevels) {
+  const Identifiability found = analyse_identifiability(rounded(test::make_twin(), 3), parse_terms("full"));
+  EXPECT_EQ(found.identified, parse_terms("full"));
+  EXPECT_THAT(found.unidentified, IsEmpty());
+}
+
+// An axis that holds nothing but rounding has no coefficient.
+TEST(Identifiability, AnAxisOfRoundingIsNoInput) {
+  Dataset record = test::make_twin();
+  for (std::size_t row = 0; row < record.rows(); ++row)
+    record.acceleration[2][row] = 0.001 * (static_cast<double>(row % 3) - 1.0);
+  record.acceleration_resolution[2] = 0.001;
+  const Identifiability found = analyse_identifiability(record, parse_terms("linear"));
+  EXPECT_EQ(join_names(found.identified), "K0, Ki, Ko");
+  EXPECT_EQ(cause(found, Term::Kp).code, Code::term_hidden_by_rounding);
+}
+
 TEST(RequireIdentifiable, RefusesNamingTermsReasonsAndRemedy) {
   Dataset record = test::make_twin();
   record.acceleration[1].clear();

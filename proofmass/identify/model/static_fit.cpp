@@ -21,7 +21,16 @@ constexpr double kConditionLimit = 1e8;
 // text.
 constexpr double kRoundingLimit = 1e5;
 
-void add_condition_findings(const Identification& result, std::vector<Finding>& findings) {
+// Whether identifiability was judged by the rounding of every input (written_resolution.hpp).
+bool knows_rounding(const Dataset& data) {
+  const std::vector<Axis> axes = data.axes();
+  return std::all_of(axes.begin(), axes.end(), [&data](Axis axis) {
+    return data.acceleration_resolution[static_cast<std::size_t>(axis)] > 0.0;
+  });
+}
+
+void add_condition_findings(const Identification& result, const Dataset& data,
+                            std::vector<Finding>& findings) {
   Finding collinear{.code = Code::inputs_collinear};
   std::string inflated;
   for (const Coefficient& c : result.coefficients) {
@@ -34,7 +43,7 @@ void add_condition_findings(const Identification& result, std::vector<Finding>& 
     findings.push_back(std::move(collinear));
   }
   const double condition = result.diagnostics.condition_scaled.value_or(1.0);
-  if (condition > kRoundingLimit) {
+  if (condition > kRoundingLimit && !knows_rounding(data)) {
     findings.push_back({.code = Code::terms_apart_by_rounding,
                         .severity = Severity::warning,
                         .figures = {{"separation", 1.0 / condition}}});
@@ -126,7 +135,7 @@ Identification make_identification(std::string_view method, const Dataset& train
   result.diagnostics.condition_raw = found.condition_raw;
   result.diagnostics.condition_scaled = found.condition_scaled;
   result.findings = found.unidentified;
-  add_condition_findings(result, result.findings);
+  add_condition_findings(result, training, result.findings);
   return result;
 }
 

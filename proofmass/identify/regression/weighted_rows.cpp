@@ -65,13 +65,13 @@ Identifiability require_identifiable_by_weight(const Dataset& data, const Identi
     require_spare_row(data, found, rows.size());
     return found;
   }
-  if (policy == RankLossPolicy::refuse || left.identified.empty())
-    throw weighted_refusal(data, std::move(left), rows.size());
-  require_spare_row(data, left, rows.size());
   for (Finding& finding : left.unidentified) {
     finding.figures.emplace_back("count", rows.size());
     finding.figures.emplace_back("total", data.rows());
   }
+  if (policy == RankLossPolicy::refuse || left.identified.empty())
+    throw weighted_refusal(data, std::move(left), rows.size());
+  require_spare_row(data, left, rows.size());
   left.unidentified.insert(left.unidentified.end(), found.unidentified.begin(), found.unidentified.end());
   sort_by_term(left.unidentified);
   return left;

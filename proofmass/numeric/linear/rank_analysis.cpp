@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "proofmass/numeric/linear/column_scaling.hpp"
 #include "proofmass/numeric/linear/gram_factor.hpp"
@@ -88,13 +89,45 @@ Eigen::Map<const Eigen::MatrixXd> as_eigen(const Matrix& matrix) {
   return {matrix.data(), signed_index(matrix.rows()), signed_index(matrix.columns())};
 }
 
+// Takes out the columns that errors of the elements could have set apart from those before them. `errors`:
+// the sums of products of the errors, for the columns of unit length.
+std::vector<std::size_t> take_out_hidden(const Eigen::MatrixXd& unit, const Eigen::MatrixXd& errors,
+                                         std::vector<Index>& independent) {
+  std::vector<std::size_t> hidden;
+  std::vector<Index> kept;
+  for (const Index c : independent) {
+    const std::vector<double> combination = null_vector(unit, kept, c);
+    const Eigen::Map<const Eigen::VectorXd> v(combination.data(), signed_index(combination.size()));
+    if ((unit * v).squaredNorm() > kErrorMargin * v.dot(errors * v)) {
+      kept.push_back(c);
+    } else {
+      hidden.push_back(static_cast<std::size_t>(c));
+    }
+  }
+  independent = std::move(kept);
+  return hidden;
+}
+
+// Of columns times `scales`, which are then brought to unit length.
+Eigen::MatrixXd errors_of_unit_columns(const Matrix& errors, const Eigen::VectorXd& scales,
+                                       const Eigen::MatrixXd& factor) {
+  Eigen::VectorXd to_unit = scales;
+  for (Index c = 0; c < factor.cols(); ++c) {
+    const double length = factor.col(c).norm();
+    to_unit(c) = length > 0.0 ? scales(c) / length : 0.0;
+  }
+  return to_unit.asDiagonal() * as_eigen(errors) * to_unit.asDiagonal();
+}
+
 // `factor` is R of the columns times `scales`.
 RankAnalysis analyse_factor(const Eigen::MatrixXd& factor, const std::vector<double>& scale_values,
-                            double tolerance) {
+                            double tolerance, const Matrix* errors = nullptr) {
   const Eigen::Map<const Eigen::VectorXd> scales(scale_values.data(), signed_index(scale_values.size()));
   const Eigen::MatrixXd unit = with_unit_columns(factor);
-  const std::vector<Index> independent = select_independent(unit, tolerance);
+  std::vector<Index> independent = select_independent(unit, tolerance);
   RankAnalysis result;
+  if (errors != nullptr)
+    result.hidden = take_out_hidden(unit, errors_of_unit_columns(*errors, scales, factor), independent);
   result.rank = independent.size();
   result.independent.assign(independent.begin(), independent.end());
   for (Index c = 0; c < unit.cols(); ++c) {
@@ -119,7 +152,9 @@ RankAnalysis analyse_rank(const Matrix& design, double tolerance) {
   return analyse_factor(triangular_factor(design, scaling), scales, tolerance);
 }
 
-RankAnalysis analyse_rank(const GramMatrix& gram) {
+namespace {
+
+RankAnalysis analyse_gram(const GramMatrix& gram, const Matrix* errors) {
   if (gram.rows() == 0 || gram.regressors() == 0) throw std::invalid_argument("the design matrix is empty");
   for (std::size_t c = 0; c < gram.regressors(); ++c) {
     if (!std::isfinite(gram(c, c).value())) {
@@ -129,7 +164,17 @@ RankAnalysis analyse_rank(const GramMatrix& gram) {
   const GramFactor factor(gram);
   std::vector<double> scales = factor.scales();
   for (std::size_t c = 0; c < scales.size(); ++c) scales[c] *= gram.scales()[c];
-  return analyse_factor(as_eigen(factor.rounded()), scales, kRankTolerance);
+  return analyse_factor(as_eigen(factor.rounded()), scales, kRankTolerance, errors);
+}
+
+}  // namespace
+
+RankAnalysis analyse_rank(const GramMatrix& gram) { return analyse_gram(gram, nullptr); }
+
+RankAnalysis analyse_rank(const GramMatrix& gram, const Matrix& errors) {
+  if (errors.rows() != gram.regressors() || errors.columns() != gram.regressors())
+    throw std::invalid_argument("one error a pair of regressors is needed");
+  return analyse_gram(gram, &errors);
 }
 
 double scaled_condition(const Matrix& matrix) {

@@ -26,6 +26,8 @@ struct RankAnalysis {
   // of that column and the independent ones before it that is zero. Its nonzero elements are the aliased
   // columns.
   std::vector<std::vector<double>> null_space;
+  // Of the others, those whose combination is not zero but no larger than the errors of the elements explain.
+  std::vector<std::size_t> hidden;
   double condition_raw = 0.0;     // 2-norm condition number of the independent columns
   double condition_scaled = 0.0;  // the same with columns scaled to unit length
 };
@@ -37,6 +39,15 @@ struct RankAnalysis {
 // The same for the regressors of a Gram matrix, without reading the rows again. Its Cholesky factor in twice
 // the working precision is as accurate as R from the rows.
 [[nodiscard]] RankAnalysis analyse_rank(const GramMatrix& gram);
+
+// A combination of columns must be this much longer than the errors of its elements make it, in squares: what
+// is estimated from it is then attenuated by a ninth at most.
+inline constexpr double kErrorMargin = 9.0;
+
+// The same when the elements have errors: `errors` are the expected sums over the rows of products of the
+// errors in two columns, before scaling. A column whose distance from the columns before it is no more than
+// such errors make (kErrorMargin) is dependent too.
+[[nodiscard]] RankAnalysis analyse_rank(const GramMatrix& gram, const Matrix& errors);
 
 // Largest over smallest singular value with columns scaled to unit length; infinity when the smallest is
 // zero.

@@ -56,7 +56,30 @@ INSTANTIATE_TEST_SUITE_P(
                   ":1: column 'Ai': found 'Ao E', expected a column named Ai" + kSeparators},
         BadRecord{"missing_output", "#\nAi,Ao\n1,2\n",
                   ":2: column 'E': found 'Ai Ao', expected a column named E" + kSeparators},
-        BadRecord{"no_header", "1,2\n3,4\n", ":1: found '1,2', " + kNeedsHeader},
+        BadRecord{
+            "no_header", "1,2\n3,4\n",
+            ":1: found '1,2', " + kNeedsHeader + "; without one, say which column is which, and the units"},
+        BadRecord{"header_below_data", "1,2\n3,4\nAi,E\n5,6\n",
+                  ":3: found 'Ai,E', expected the header above all rows of numbers; line 1 looks like one"},
+        BadRecord{"another_header", "Ai,E\n1,2\nE,Ai\n3,4\n",
+                  ":3: found 'E,Ai', expected rows under the header of line 1; this looks like another "
+                  "header: put what "
+                  "follows into a file of its own"},
+        BadRecord{
+            "another_header_in_a_comment", "Ai[g],E[V]\n1,2\n# Ai[m/s^2],E[V]\n3,4\n",
+            ":3: found '# Ai[m/s^2],E[V]', expected rows under the header of line 1; this looks like another "
+            "header: put what follows into a file of its own"},
+        BadRecord{"other_unit_than_the_file_states",
+                  "Ai,E [mV]\n1,2\n",
+                  ":1: column 'E [mV]': found 'V', expected the unit that the file states, mV",
+                  {{"E", "#2[V]"}, {"Ai", "#1"}}},
+        BadRecord{"a_field_missing_between_blanks", "Ai Ao E T\n1 2 3 20\n1   3 20\n",
+                  ":3: found '1   3 20', expected 4 fields as in the header, not 3"},
+        BadRecord{"thousands_in_every_number", "Ai;E\n1;16,384\n2;32,767\n",
+                  ":2: column 'E': found '16,384', expected numbers whose comma is decimal for certain: here "
+                  "each has "
+                  "three digits after it or none at all, as thousands do. Take the commas out if they part "
+                  "thousands"},
         BadRecord{"position_beyond",
                   "Ai,E\n1,2\n",
                   ":1: column '#3': found 'Ai E', expected a column named #3 (it was to be read as Ai)" +

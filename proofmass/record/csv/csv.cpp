@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -38,12 +39,15 @@ class RowReader {
     // Memory in advance, with a small margin, avoids copies of the columns as they grow.
     const double expected = 1.05 * chunks_.growth() * static_cast<double>(all_.rows.line.size());
     RowParser(format_, all_).reserve(std::min(static_cast<std::size_t>(expected), kMostExpected));
-    std::vector<std::thread> helpers;
-    if (chunks_.growth() > 2.0) {
-      for (std::size_t k = 1; k < threads; ++k) helpers.emplace_back([this] { work(); });
+    std::vector<std::jthread> helpers;
+    const auto chunks = static_cast<std::size_t>(chunks_.growth());
+    try {
+      for (std::size_t k = 1; k < std::min(threads, chunks); ++k) helpers.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those there are will do.
     }
     work();
-    for (std::thread& helper : helpers) helper.join();
+    helpers.clear();  // waits for them
     if (failure_) std::rethrow_exception(failure_);
     return std::move(all_);
   }
@@ -130,10 +134,12 @@ bool has_decimal_commas(const Chunk& chunk, const Preamble& preamble,
                   const std::string marked = separated_by_marks(line, separation);
                   const auto fields = split_fields(marked, separation.mark);
                   for (const PlacedColumn& p : placed) {
-                    if (p.column == Column::mount || p.column == Column::t || p.index >= fields.size())
-                      continue;
+                    const bool measured =
+                        p.column != Column::mount && p.column != Column::t && p.column != Column::T;
+                    if (!measured || p.index >= fields.size()) continue;
                     const std::string field = unquoted(fields[p.index]).value_or("");
-                    comma = comma || (field.find(',') != std::string::npos && looks_like_number(field));
+                    if (!looks_like_number(field)) continue;
+                    comma = comma || field.find(',') != std::string::npos;
                     point = point || field.find('.') != std::string::npos;
                   }
                   return !point;
@@ -200,10 +206,8 @@ Dataset read_record(const std::filesystem::path& path, const ReadOptions& option
                    "a header line that names the columns Ai Ao Ap E");
   }
   Preamble preamble = read_preamble(chunks.name(), *first, options);
+  take_cell_units(*first, preamble, place_columns(preamble.header, options));
   RowFormat format{.header = preamble.header, .placed = lay_out(preamble.header, options)};
-  take_cell_units(*first, preamble, format.placed);
-  format.header = preamble.header;
-  format.placed = lay_out(preamble.header, options);
   format.decimal_comma = uses_decimal_comma(options, *first, preamble, format.placed);
   format.leave_out_overloads = options.overload == OverloadPolicy::leave_out;
 

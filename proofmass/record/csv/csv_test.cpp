@@ -204,5 +204,105 @@ TEST(ReadRecord, ReadsARealRecordThroughRenaming) {
   EXPECT_EQ(record.mount[3], "y_a");
 }
 
+// --- The forms of benches ----------------------------------------------------------------------------------
+
+TEST(ReadRecord, FindsTheDataHoweverLongThePreambleIs) {
+  for (const std::size_t lines : {0U, 1U, 998U, 999U, 1000U, 3000U}) {
+    std::string text;
+    for (std::size_t k = 0; k < lines; ++k) text += k % 2 == 0 ? "# note\n" : "Instrument: X\n";
+    text += "Ai,E\n1,2\n3,4\n";
+    const Dataset record = read_text(text);
+    EXPECT_EQ(record.output, (Column{2, 4})) << lines;
+    EXPECT_EQ(record.line.front(), lines + 2);
+  }
+}
+
+TEST(ReadRecord, TakesColumnsByPosition) {
+  const ReadOptions positions{.rename = {{"Ai", "#2[g]"}, {"E", "#3[V]"}}};
+  EXPECT_EQ(read_text("d1,0.5,1.2\nd2,0.6,1.3\n", positions).output, (Column{1.2, 1.3}));
+  const Dataset named = read_text("name,x,y\nd1,0.5,1.2\n", positions);
+  EXPECT_EQ(named.output, (Column{1.2}));
+  EXPECT_EQ(named.output_unit.symbol, "V");
+  const ReadOptions inputs{.rename = {{"Ai", "#1"}}, .require_output = false};
+  EXPECT_EQ(read_text("0.1\n0.2\n0.3\n", inputs).acceleration[0], (Column{0.1, 0.2, 0.3}));
+}
+
+TEST(ReadRecord, TellsCommentsFromRowsWithLabels) {
+  const Dataset record = read_text("mount,Ai,E\n#0,1,2\n# mean,1,2\n#note,a,b\nP1,3,4\n");
+  EXPECT_EQ(record.mount, (std::vector<std::string>{"#0", "P1"}));
+  ASSERT_EQ(record.findings.size(), 3U);
+  EXPECT_EQ(record.findings[0].code, Code::record_labels_with_mark);
+  EXPECT_EQ(record.findings[1].code, Code::record_comments_skipped);
+  EXPECT_EQ(record.findings[1].lines, (std::vector<std::size_t>{3, 4}));
+}
+
+TEST(ReadRecord, UnderstandsUnitsAtTheEndOfANameWhenNothingElseIsMeant) {
+  const Dataset record = read_text("T,T_C,Ai_g,E,E_A\n20,21,1,2,3\n");
+  EXPECT_EQ(record.output, (Column{2}));
+  EXPECT_EQ(record.temperature, (Column{20}));
+  EXPECT_EQ(read_text("Ai_ms2,E_mV\n9.80665,2\n").output_unit.symbol, "mV");
+}
+
+TEST(ReadRecord, NeverMindsWhatNobodyUses) {
+  const ReadOptions inputs{.rename = {}, .require_output = false};
+  EXPECT_EQ(read_text("Ai,E\n1,n/a\n2,\n", inputs).acceleration[0], (Column{1, 2}));
+  const Dataset record = read_text("Ai,E,T,note\n1,2,20,x\n3,4,,\n");
+  EXPECT_TRUE(record.temperature.empty());
+  EXPECT_EQ(record.ignored.size(), 1U);
+}
+
+TEST(ReadRecord, ReadsClocksOverMidnight) {
+  const Dataset record = read_text("t,Ai,E\n23:59:58,1,2\n23:59:59.5,1,2\n00:00:01,1,2\n");
+  EXPECT_EQ(record.time, (Column{0, 1.5, 3}));
+}
+
+TEST(ReadRecord, KnowsTheStepInWhichInputsAreWritten) {
+  const Dataset record = read_text("Ai[m/s^2],Ao[m/s^2],E\n9.8,1e-4,2\n-9.81,0,3\n");
+  EXPECT_DOUBLE_EQ(record.acceleration_resolution[0], 0.01 / kStandardGravity);
+  EXPECT_DOUBLE_EQ(record.acceleration_resolution[1], 1e-4 / kStandardGravity);
+  EXPECT_EQ(record.acceleration_resolution[2], 0.0);
+  // Whole numbers are positions by name.
+  EXPECT_EQ(read_text("Ai,E\n1,2\n-1,3\n0,1\n").acceleration_resolution[0], 0.0);
+}
+
+// Rows of every kind in each of several chunks: threads must change nothing.
+TEST(ReadRecord, IsTheSameForAnyNumberOfThreads) {
+  std::string text = "mount,Ai,E\n";
+  for (int k = 0; k < 120'000; ++k) {
+    const std::string number = std::to_string(k);
+    text += "P" + number + "," + number + ".25," + number + "\n";
+    if (k % 10'000 == 0) text += "# note\nP,1,OVLD\nmount,Ai,E\n,,\n#0,\u22121.5,2\n";
+  }
+  const auto read = [&text](std::size_t threads) {
+    return read_text(text, {.overload = OverloadPolicy::leave_out, .threads = threads});
+  };
+  const Dataset one = read(1);
+  EXPECT_EQ(one.rows(), 120'012U);
+  for (const std::size_t threads : {2U, 8U}) {
+    const Dataset more = read(threads);
+    EXPECT_EQ(more.acceleration, one.acceleration);
+    EXPECT_EQ(more.output, one.output);
+    EXPECT_EQ(more.mount, one.mount);
+    EXPECT_EQ(more.line, one.line);
+    EXPECT_EQ(more.findings, one.findings);
+    EXPECT_EQ(more.acceleration_resolution, one.acceleration_resolution);
+    EXPECT_EQ(more.source_sha256, one.source_sha256);
+  }
+}
+
+// The first error of the file, whichever thread meets one first.
+TEST(ReadRecord, NamesTheFirstErrorForAnyNumberOfThreads) {
+  std::string text = "Ai,E\n";
+  for (int k = 2; k <= 400'000; ++k) text += k == 150'000 || k == 300'000 ? "1,x\n" : "1.5,2.5\n";
+  for (const std::size_t threads : {1U, 2U, 8U}) {
+    try {
+      (void)read_text(text, {.threads = threads});
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(":150000:"), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace proofmass

@@ -7,9 +7,9 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <stdexcept>
 #include <utility>
 
+#include "proofmass/core/error.hpp"
 #include "proofmass/core/utf8.hpp"
 
 namespace proofmass {
@@ -89,22 +89,32 @@ std::optional<Encoding> encoding_by_mark(std::string_view first_bytes) noexcept 
 
 Encoding encoding_by_content(std::string_view text) noexcept {
   if (is_utf8(text)) return Encoding::utf8;
-  std::size_t pairs = 0;   // two bytes of GB2312
+  std::size_t words = 0;   // characters of GB2312, two bytes each
   std::size_t single = 0;  // anything else beyond ASCII
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const unsigned first = byte_at(text, k);
-    if (first < 0x80) continue;
-    const unsigned second = byte_at(text, k + 1);
-    const bool pair = first >= 0xA1 && first <= 0xF7 && second >= 0xA1 && second <= 0xFE;
-    const bool extended = first >= 0x81 && first <= 0xFE && second >= 0x80 && second <= 0xFE;
-    if (pair || extended) {
-      pairs += pair ? 1 : 0;
+  const auto is_letter = [text](std::size_t k) {
+    return k < text.size() && std::isalpha(static_cast<unsigned char>(text[k])) != 0 &&
+           byte_at(text, k) < 0x80;
+  };
+  for (std::size_t k = 0; k < text.size();) {
+    if (byte_at(text, k) < 0x80) {
       ++k;
-    } else {
+      continue;
+    }
+    std::size_t end = k;
+    while (byte_at(text, end) >= 0xA1 && byte_at(text, end) <= 0xF7 && byte_at(text, end + 1) >= 0xA1)
+      end += 2;
+    // A lone pair inside a word is two letters: "Gr\xF6\xDF" "e".
+    const bool letters = end == k + 2 && ((k > 0 && is_letter(k - 1)) || is_letter(end));
+    if (end == k || letters) {
       ++single;
+      ++k;
+      if (letters) ++single, ++k;
+    } else {
+      words += (end - k) / 2;
+      k = end;
     }
   }
-  return pairs > single ? Encoding::gb18030 : Encoding::windows1252;
+  return words > single ? Encoding::gb18030 : Encoding::windows1252;
 }
 
 bool is_ascii(std::string_view text) noexcept {
@@ -120,7 +130,8 @@ Decoder::Decoder(Encoding encoding) : converter_(iconv_open("UTF-8", converter_n
   // NOLINTNEXTLINE(performance-no-int-to-ptr,cppcoreguidelines-pro-type-reinterpret-cast)
   if (converter_.get() == reinterpret_cast<void*>(-1)) {
     (void)converter_.release();
-    throw std::runtime_error("the C library cannot convert " + std::string(to_string(encoding)));
+    throw bad_data({.file = std::string(to_string(encoding))}, "",
+                   "an encoding that the system's C library can convert");
   }
 }
 

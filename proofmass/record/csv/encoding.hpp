@@ -26,7 +26,7 @@ enum class Encoding : std::uint8_t { utf8, utf16le, utf16be, gb18030, windows125
 [[nodiscard]] std::optional<Encoding> encoding_by_mark(std::string_view first_bytes) noexcept;
 
 // The encoding of text with bytes beyond ASCII: UTF-8 when it is valid; otherwise GB18030 when most of those
-// bytes come in the pairs of Chinese characters, and Windows-1252 when most stand alone.
+// bytes come in the pairs of Chinese characters, and Windows-1252 when most stand alone or among letters.
 [[nodiscard]] Encoding encoding_by_content(std::string_view text) noexcept;
 
 [[nodiscard]] bool is_ascii(std::string_view text) noexcept;

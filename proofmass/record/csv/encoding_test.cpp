@@ -47,6 +47,10 @@ TEST(Encoding, IsToldByTheBytesBeyondAscii) {
                                 "fstand M\xFC"
                                 "nchen"),
             Encoding::windows1252);
+  EXPECT_EQ(encoding_by_content("Gr\xF6\xDF"
+                                "e,Stra\xDF"
+                                "e"),
+            Encoding::windows1252);
   EXPECT_EQ(encoding_by_content("\xCA\xE4\xC8\xEB\xD6\xE1[g],\xCA\xE4\xB3\xF6[V]"), Encoding::gb18030);
 }
 

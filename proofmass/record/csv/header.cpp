@@ -31,6 +31,7 @@ bool take_after(std::string_view text, std::string_view mark, HeaderCell& cell) 
     if (name.empty() || !find_unit(unit)) continue;
     cell.name = name;
     cell.unit = unit;
+    cell.loose = mark == "_";
     return true;
   }
   return false;
@@ -67,7 +68,7 @@ Separation separation_of(std::string_view line, std::optional<char> separator) {
 HeaderCell parse_header_cell(std::string_view text) {
   const std::string plain = plain_characters(text);
   const std::string_view whole = trim(plain, ',');
-  HeaderCell cell{.text = std::string(whole), .name = std::string(whole), .unit = {}};
+  HeaderCell cell{.text = std::string(whole), .name = std::string(whole), .unit = {}, .loose = false};
   if (whole.empty()) return cell;
   if (take_bracketed(whole, '[', ']', cell) || take_bracketed(whole, '(', ')', cell)) return cell;
   for (const std::string_view mark : {"/", " in ", ",", "_"}) {

@@ -14,10 +14,11 @@ struct HeaderCell {
   std::string text;  // whole, without quotes and surrounding blanks
   std::string name;
   std::optional<std::string> unit;
+  bool loose = false;  // the unit was found at the end of its name: `Ai_g`
 };
 
 // How the fields of a line are told apart. A blank as separator stands for any run of blanks and tabs; the
-// lines are then read with tabs in their place (separated_by_tabs).
+// lines are then read with tabs in their place (separated_by_marks).
 struct Separation {
   char mark = ',';
   bool blanks = false;

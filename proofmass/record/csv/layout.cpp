@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/units.hpp"
 #include "proofmass/record/csv/fields.hpp"
 #include "proofmass/record/csv/units.hpp"
 
@@ -35,7 +36,7 @@ std::string letters_of(std::string_view name) {
 }
 
 // The column whose name differs in case and punctuation alone.
-std::string nearest_name(std::string_view name) {
+std::string name_meant(std::string_view name) {
   const std::string letters = letters_of(name);
   if (letters.empty() || find_column(name)) return {};
   for (const Column column : kColumns) {
@@ -47,11 +48,19 @@ std::string nearest_name(std::string_view name) {
 
 // The header's cell that looks like a slip of a column's name.
 const HeaderCell* slip_of(const Header& header, Column column) {
-  const auto like = [column](const HeaderCell& cell) {
-    return nearest_name(cell.name) == column_name(column);
-  };
+  const auto like = [column](const HeaderCell& cell) { return name_meant(cell.name) == column_name(column); };
   const auto found = std::find_if(header.cells.begin(), header.cells.end(), like);
   return found == header.cells.end() ? nullptr : &*found;
+}
+
+// "Ai=AI,E=e": every cell that looks like a slip.
+std::string slips_of(const Header& header) {
+  std::string map;
+  for (const HeaderCell& cell : header.cells) {
+    const std::string meant = name_meant(cell.name);
+    if (!meant.empty()) map += fmt::format("{}{}={}", map.empty() ? "" : ",", meant, excerpt(cell.text));
+  }
+  return map;
 }
 
 // The header's cell that holds angles.
@@ -72,12 +81,12 @@ Error missing(const Header& header, Column column, const std::string& wanted) {
                        : fmt::format(
                              "; '{}' is an angle: with the input axis at that angle from the vertical, Ai = "
                              "cos(angle) and the cross axis sin(angle), in g. Add such columns",
-                             angle->text);
+                             excerpt(angle->text));
   const HeaderCell* const slip = own ? slip_of(header, column) : nullptr;
   std::vector<Remedy> remedies;
   if (angle == nullptr)
     remedies.push_back(
-        {"map", fmt::format("{}={}", column_name(column), slip == nullptr ? "NAME" : slip->text)});
+        {"map", slip == nullptr ? fmt::format("{}=NAME", column_name(column)) : slips_of(header)});
   return bad_data(
       {.file = header.file, .row = header.row, .column = wanted}, names_of(header),
       fmt::format("a column named {}{}; columns are separated by comma, semicolon, tab or blanks{}", wanted,
@@ -100,19 +109,24 @@ std::optional<std::size_t> only(const Header& header, const std::string& wanted,
   return found;
 }
 
-// "#3" is the third column; nothing for other names.
-std::optional<std::size_t> position_of(std::string_view name) {
-  if (!name.starts_with('#')) return std::nullopt;
-  std::size_t position = 0;
-  const auto [end, status] = std::from_chars(name.data() + 1, name.data() + name.size(), position);
-  if (status != std::errc() || end != name.data() + name.size() || position == 0) return std::nullopt;
-  return position - 1;
-}
-
 struct FoundColumn {
   std::size_t index = 0;
   std::optional<std::string> unit;
 };
+
+// The unit said in a renaming; the header's where none is said. Throws when both are units that differ.
+std::optional<std::string> agreed_unit(const Header& header, std::size_t index,
+                                       const std::optional<std::string>& said) {
+  const std::optional<std::string>& own = header.cells[index].unit;
+  if (!said) return own;
+  const auto known = own ? find_unit(*own) : std::nullopt;
+  const auto other = find_unit(*said);
+  if (known && other && known->symbol != other->symbol) {
+    throw bad_data({.file = header.file, .row = header.row, .column = header.cells[index].text}, *said,
+                   fmt::format("the unit that the file states, {}", *own));
+  }
+  return said;
+}
 
 // The column of the file that a renaming asks for: by its whole header, its name, its position; the unit may
 // be said besides where the header does not.
@@ -130,13 +144,13 @@ std::optional<FoundColumn> find_renamed(const Header& header, const std::string&
   }
   if (const auto position = position_of(name)) {
     if (*position >= header.cells.size()) return std::nullopt;
-    return FoundColumn{*position, unit ? unit : header.cells[*position].unit};
+    return FoundColumn{*position, agreed_unit(header, *position, unit)};
   }
   if (!unit) return std::nullopt;
   index = only(header, name, [&](const HeaderCell& cell) { return cell.text == name; });
   if (!index)
     index = only(header, name, [&](const HeaderCell& cell) { return cell.name == name && !cell.unit; });
-  return index ? std::optional(FoundColumn{*index, unit}) : std::nullopt;
+  return index ? std::optional(FoundColumn{*index, agreed_unit(header, *index, unit)}) : std::nullopt;
 }
 
 PlacedColumn renamed_column(const Header& header, Column column, const std::string& wanted) {
@@ -158,7 +172,8 @@ std::vector<PlacedColumn> renamed_columns(const Header& header, const ReadOption
     }
     placed.push_back(renamed_column(header, *column, wanted));
     if (!taken.insert(placed.back().index).second) {
-      throw usage_error(fmt::format("column '{}' is renamed twice", header.cells[placed.back().index].text));
+      throw usage_error(
+          fmt::format("column '{}' is renamed twice", excerpt(header.cells[placed.back().index].text)));
     }
   }
   return placed;
@@ -175,9 +190,17 @@ void add_named_columns(const Header& header, std::vector<PlacedColumn>& placed) 
     if (std::any_of(renamed.begin(), renamed.end(),
                     [&](const PlacedColumn& p) { return p.column == column; }))
       continue;
-    const auto index = only(header, std::string(column_name(column)), [&](const HeaderCell& cell) {
+    const std::string name(column_name(column));
+    const auto is_free = [&](const HeaderCell& cell) {
       return find_column(cell.name) == column && !was_renamed(cell);
-    });
+    };
+    auto index = only(header, name, [&](const HeaderCell& cell) { return is_free(cell) && !cell.loose; });
+    // `E_s` is the output's only when nothing else is and it can be in that unit.
+    if (!index) {
+      index = only(header, name, [&](const HeaderCell& cell) {
+        return is_free(cell) && cell.loose && may_have_unit(column, cell.unit);
+      });
+    }
     if (!index) continue;
     const auto& unit = header.cells[*index].unit;
     // A column that no method needs may be something else: T[Nm].
@@ -193,6 +216,14 @@ bool holds(const std::vector<PlacedColumn>& placed, Column column) {
 
 }  // namespace
 
+std::optional<std::size_t> position_of(std::string_view name) {
+  if (!name.starts_with('#')) return std::nullopt;
+  std::size_t position = 0;
+  const auto [end, status] = std::from_chars(name.data() + 1, name.data() + name.size(), position);
+  if (status != std::errc() || end != name.data() + name.size() || position == 0) return std::nullopt;
+  return position - 1;
+}
+
 bool has_column(const Header& header, Column column, const ReadOptions& options) {
   const auto renamed = options.rename.find(std::string(column_name(column)));
   if (renamed != options.rename.end()) {
@@ -202,8 +233,9 @@ bool has_column(const Header& header, Column column, const ReadOptions& options)
       return true;  // two of them: lay_out says so
     }
   }
-  return std::any_of(header.cells.begin(), header.cells.end(),
-                     [column](const HeaderCell& cell) { return find_column(cell.name) == column; });
+  return std::any_of(header.cells.begin(), header.cells.end(), [column](const HeaderCell& cell) {
+    return find_column(cell.name) == column && (!cell.loose || may_have_unit(column, cell.unit));
+  });
 }
 
 std::vector<IgnoredColumn> ignored_columns(const Header& header, const std::vector<PlacedColumn>& placed) {
@@ -211,20 +243,28 @@ std::vector<IgnoredColumn> ignored_columns(const Header& header, const std::vect
   for (std::size_t k = 0; k < header.cells.size(); ++k) {
     const auto is_here = [k](const PlacedColumn& column) { return column.index == k; };
     if (std::any_of(placed.begin(), placed.end(), is_here)) continue;
-    ignored.push_back({.header = header.cells[k].text, .nearest = nearest_name(header.cells[k].name)});
+    ignored.push_back({.header = header.cells[k].text, .nearest = name_meant(header.cells[k].name)});
   }
   return ignored;
 }
 
-std::vector<PlacedColumn> lay_out(const Header& header, const ReadOptions& options) {
+std::vector<PlacedColumn> place_columns(const Header& header, const ReadOptions& options) {
   std::vector<PlacedColumn> placed = renamed_columns(header, options);
   add_named_columns(header, placed);
   if (!holds(placed, Column::Ai)) throw missing(header, Column::Ai, "Ai");
   if (options.require_output && !holds(placed, Column::E)) throw missing(header, Column::E, "E");
+  // Where no output is needed, what stands in its place must not refuse the inputs.
+  if (!options.require_output)
+    std::erase_if(placed, [](const PlacedColumn& p) { return p.column == Column::E; });
   std::erase_if(placed, [&](const PlacedColumn& p) {
     const auto measured = measured_by(p.column);
     return measured && !holds(placed, *measured);
   });
+  return placed;
+}
+
+std::vector<PlacedColumn> lay_out(const Header& header, const ReadOptions& options) {
+  std::vector<PlacedColumn> placed = place_columns(header, options);
   settle_units(header, placed);
   return placed;
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proofmass/record/columns.hpp"
@@ -20,6 +22,9 @@ struct PlacedColumn {
   std::string header;    // as written in the file, for messages
 };
 
+// "#3" is the third column, place 2; nothing for other names.
+[[nodiscard]] std::optional<std::size_t> position_of(std::string_view name);
+
 // Whether a header has a column for one of Proofmass's, by its name, by a usual other one, or as renamed;
 // true of a column renamed by a position that the header has.
 [[nodiscard]] bool has_column(const Header& header, Column column, const ReadOptions& options);
@@ -32,5 +37,8 @@ struct PlacedColumn {
 // uncertainties of columns that the file does not have. Throws a bad-data Error on a missing or duplicate
 // column, an unknown unit, or units that do not agree. Throws a usage Error on an invalid renaming.
 [[nodiscard]] std::vector<PlacedColumn> lay_out(const Header& header, const ReadOptions& options);
+
+// The same before their units are brought into agreement: the cells of a record may say some.
+[[nodiscard]] std::vector<PlacedColumn> place_columns(const Header& header, const ReadOptions& options);
 
 }  // namespace proofmass

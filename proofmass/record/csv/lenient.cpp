@@ -85,6 +85,7 @@ std::optional<double> take_clock(std::string_view& text) noexcept {
         fraction += weight * (text.front() - '0');
     }
   }
+  if (hours == 24 && (minutes > 0 || seconds > 0 || fraction > 0.0)) return std::nullopt;
   return 3600.0 * hours + 60.0 * minutes + seconds + fraction;
 }
 

@@ -60,6 +60,8 @@ std::string_view around_control(std::string_view line) {
   return line.substr(first, 30);
 }
 
+std::string too_long() { return fmt::format("lines of at most {} bytes", ChunkReader::kLongestLine); }
+
 // Whether a CR stands in the text that no LF follows.
 bool has_lone_return(std::string_view text) noexcept {
   for (auto at = text.find('\r'); at != std::string_view::npos; at = text.find('\r', at + 1)) {
@@ -138,8 +140,7 @@ std::optional<Chunk> ChunkReader::next() {
       if (end != std::string::npos) ++end;
     }
     if (end == std::string::npos && text_.size() > kLongestLine) {
-      throw bad_data({.file = name_, .row = line_number_ + 1}, text_.substr(0, 64),
-                     "lines of at most 1048576 bytes");
+      throw bad_data({.file = name_, .row = line_number_ + 1}, text_.substr(0, 64), too_long());
     }
     if (!more) break;
   }
@@ -164,8 +165,13 @@ std::optional<Chunk> ChunkReader::next() {
 // common.
 void ChunkReader::decode(Chunk& chunk) {
   if (wide_ || is_ascii(chunk.text)) return;
-  if (!encoding_) encoding_ = encoding_by_content(chunk.text);
+  const bool guessed = !encoding_;
+  if (guessed) encoding_ = encoding_by_content(chunk.text);
   if (encoding_ == Encoding::utf8) return;
+  if (guessed && encoding_ == Encoding::gb18030) {
+    Decoder trial(*encoding_);
+    if (!trial.decode(chunk.text) || trial.incomplete()) encoding_ = Encoding::windows1252;
+  }
   Decoder decoder(*encoding_);
   if (auto text = decoder.decode(chunk.text); text && !decoder.incomplete()) {
     chunk.text = std::move(*text);
@@ -176,7 +182,7 @@ void ChunkReader::decode(Chunk& chunk) {
     const auto text = one.decode(line);
     if (text && !one.incomplete()) return true;
     throw bad_data({.file = name_, .row = number}, line, fmt::format("text in {}", to_string(*encoding_)),
-                   {{"encoding", ""}});
+                   {{"encoding", std::string(to_string(Encoding::windows1252))}});
   });
 }
 
@@ -186,8 +192,7 @@ void ChunkReader::check(const Chunk& chunk) const {
   if (!bad && !may_be_long) return;
   for_each_line(chunk.text, chunk.first_line, [this, bad](std::string_view line, std::size_t number) {
     const Place place{.file = name_, .row = number, .column = {}};
-    if (line.size() > kLongestLine)
-      throw bad_data(place, line.substr(0, 64), "lines of at most 1048576 bytes");
+    if (line.size() > kLongestLine) throw bad_data(place, line.substr(0, 64), too_long());
     if (!bad || std::none_of(line.begin(), line.end(), is_control)) return true;
     const std::string_view found = around_control(line);
     if (line.find('\0') == std::string_view::npos && line.find('\r') != std::string_view::npos) {

@@ -60,7 +60,12 @@ bool shows_decimal_point(const std::vector<double>& values, double to_canonical)
 void require_clear_thousands(const Dataset& record, const RowFormat& format, const PlacedColumn& column,
                              std::uint32_t decimals) {
   const std::vector<double>& values = numbers(record, column.column);
-  if (decimals != kThousands || shows_decimal_point(values, column.unit.to_canonical)) return;
+  const bool unclear =
+      decimals == kThousands || (format.decimal_comma && decimals == 1U << 3U && !format.comma_proven);
+  // Between commas a point is decimal.
+  if (!unclear || format.header.separation.mark == ',' ||
+      shows_decimal_point(values, column.unit.to_canonical))
+    return;
   const auto parted = std::find_if(values.begin(), values.end(), [&column](double value) {
     return !is_whole(std::round(value / column.unit.to_canonical * 1000.0) / 1000.0);
   });
@@ -80,6 +85,16 @@ void require_clear_thousands(const Dataset& record, const RowFormat& format, con
       {{"decimal", mark}});
 }
 
+// Whether a number of the record shows that its comma is decimal.
+bool proves_comma(const Dataset& record, const RowFormat& format, const RowNotes& notes) {
+  return std::any_of(format.placed.begin(), format.placed.end(), [&](const PlacedColumn& p) {
+    if (p.column == Column::mount) return false;
+    const std::uint32_t decimals = notes.decimals[static_cast<std::size_t>(p.column)];
+    return (decimals & ~kThousands) != 0 ||
+           shows_decimal_point(numbers(record, p.column), p.unit.to_canonical);
+  });
+}
+
 // "Ai, Ao, Ap"
 std::string undeclared(const std::vector<PlacedColumn>& placed) {
   std::string names;
@@ -97,6 +112,12 @@ void add_unit_findings(Dataset& record, const Preamble& preamble, const RowForma
     record.findings.push_back({.code = Code::record_units_line, .lines = {*preamble.units_row}});
   }
   add_lines(record, Code::record_units_in_cells, notes.cell_units);
+  for (const PlacedColumn& p : format.placed) {
+    if (!format.header.cells[p.index].loose || !p.declared) continue;
+    record.findings.push_back(
+        {.code = Code::record_unit_in_name,
+         .figures = {{"column", format.header.cells[p.index].text}, {"unit", p.unit.symbol}}});
+  }
   if (std::string names = undeclared(format.placed); !names.empty()) {
     record.findings.push_back({.code = Code::record_units_assumed,
                                .figures = {{"columns", std::move(names)}, {"unit", std::string("g")}}});
@@ -121,16 +142,18 @@ void settle_optional_columns(Dataset& record, const RowNotes& notes) {
   record.findings.push_back({.code = Code::record_times_converted});
 }
 
-void settle_decimals(Dataset& record, const RowFormat& format, const RowNotes& notes,
-                     const ReadOptions& options) {
+void settle_decimals(Dataset& record, RowFormat format, const RowNotes& notes, const ReadOptions& options) {
+  format.comma_proven = format.decimal_comma && proves_comma(record, format, notes);
   constexpr int kMostDecimals = 17;  // more are an exponent's, or a program's that prints all digits it has
   for (const PlacedColumn& p : format.placed) {
     if (p.column == Column::mount || p.column == Column::t || p.column == Column::T) continue;
     const std::uint32_t decimals = notes.decimals[static_cast<std::size_t>(p.column)];
     if (options.decimal == DecimalMark::automatic) require_clear_thousands(record, format, p, decimals);
+    static_assert(static_cast<std::size_t>(Column::Ap) == static_cast<std::size_t>(Axis::pendulous));
     const auto axis = static_cast<std::size_t>(p.column);
     const int most = static_cast<int>(std::bit_width(decimals)) - 1;
-    if (axis < kAxes.size() && decimals != 0 && most <= kMostDecimals)
+    // Whole numbers are nominal positions, "1" and "-1" g, not measurements to the nearest g.
+    if (axis < kAxes.size() && most >= 1 && most <= kMostDecimals)
       record.acceleration_resolution[axis] = std::pow(10.0, -most) * p.unit.to_canonical;
   }
 }
@@ -147,6 +170,7 @@ void add_reading_findings(Dataset& record, const ChunkReader& reader, const Prea
   if (preamble.header_in_comment)
     record.findings.push_back({.code = Code::record_header_in_comment, .lines = {preamble.header.row}});
   if (format.decimal_comma) record.findings.push_back({.code = Code::record_decimal_comma});
+  add_lines(record, Code::record_labels_with_mark, notes.labelled);
   add_lines(record, Code::record_comments_skipped, notes.comments);
   add_lines(record, Code::record_empty_rows_skipped, notes.empty);
   add_lines(record, Code::record_headers_skipped, notes.headers);

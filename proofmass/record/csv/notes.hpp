@@ -15,8 +15,7 @@ void settle_optional_columns(Dataset& record, const RowNotes& notes);
 
 // The step in which the inputs are written. Throws a bad-data Error when a column's points may part
 // thousands: "16.384" beside "86", unless the options say what the mark is.
-void settle_decimals(Dataset& record, const RowFormat& format, const RowNotes& notes,
-                     const ReadOptions& options);
+void settle_decimals(Dataset& record, RowFormat format, const RowNotes& notes, const ReadOptions& options);
 
 // Adds the findings on lines, characters and units.
 void add_reading_findings(Dataset& record, const ChunkReader& reader, const Preamble& preamble,

@@ -17,7 +17,6 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kMostLines = 1000;  // in which the header is looked for
 constexpr std::string_view kExpectedHeader = "a header line that names the columns Ai Ao Ap E";
 
 struct Line {
@@ -27,14 +26,14 @@ struct Line {
 };
 
 // The lines that are not blank.
-std::vector<Line> first_lines(const Chunk& chunk) {
+std::vector<Line> lines_of(const Chunk& chunk) {
   std::vector<Line> lines;
   for_each_line(chunk.text, chunk.first_line, [&lines](std::string_view text, std::size_t number) {
     const auto first = text.find_first_not_of(" \t");
     if (first != std::string_view::npos) {
       lines.push_back({.text = text, .number = number, .comment = text[first] == '#'});
     }
-    return lines.size() < kMostLines;
+    return true;
   });
   return lines;
 }
@@ -66,12 +65,13 @@ std::vector<std::string> fields_of(std::string_view text, const Separation& sepa
   return fields;
 }
 
-// Whether a line looks like data: two numbers or more, which are at least half of its fields.
+// Whether a line looks like data: two numbers or more, or its only field, which are at least half of its
+// fields.
 bool is_data(std::string_view text, const Separation& separation) {
   const std::vector<std::string> fields = fields_of(text, separation);
   const auto numbers = static_cast<std::size_t>(std::count_if(
       fields.begin(), fields.end(), [](const std::string& field) { return looks_like_number(field); }));
-  return numbers >= 2 && 2 * numbers >= fields.size();
+  return numbers >= std::min<std::size_t>(2, fields.size()) && 2 * numbers >= fields.size();
 }
 
 std::optional<Header> header_of(const std::string& file, const Line& line, std::optional<char> separator) {
@@ -87,48 +87,87 @@ bool names_what_is_needed(const Header& header, const ReadOptions& options) {
          (!options.require_output || has_column(header, Column::E, options));
 }
 
-bool by_position(const ReadOptions& options) {
-  return std::any_of(options.rename.begin(), options.rename.end(),
-                     [](const auto& entry) { return entry.second.starts_with('#'); });
+// The positions, from 1, of columns of numbers that are named so.
+std::vector<std::size_t> positions(const ReadOptions& options) {
+  std::vector<std::size_t> found;
+  for (const auto& [name, wanted] : options.rename) {
+    const auto position = position_of(wanted.substr(0, wanted.find('[')));
+    if (position && name != column_name(Column::mount) && name != column_name(Column::t))
+      found.push_back(*position);
+  }
+  return found;
 }
 
-// The place among the lines of the header, and whether a line was found that is it.
+// The place among the lines of the header.
 struct Found {
   std::size_t index = 0;
-  bool certain = false;
+  bool certain = false;  // false: the line that looks most like it
+  bool absent = false;   // the columns have positions, and the line is the first of data
 };
 
-// The line that names the columns; columns by position need a line of data below it besides.
+// Columns by position: the header is the line above the first one with numbers at those positions, if it has
+// as many fields.
+Found find_above_data(const std::string& file, const std::vector<Line>& lines, std::size_t first,
+                      std::optional<char> separator, const std::vector<std::size_t>& places) {
+  for (std::size_t k = first; k < lines.size(); ++k) {
+    const auto header = lines[k].comment ? std::nullopt : header_of(file, lines[k], separator);
+    if (!header) continue;
+    const std::vector<std::string> fields = fields_of(lines[k].text, header->separation);
+    const auto is_number = [&fields](std::size_t place) {
+      return place < fields.size() && looks_like_number(fields[place]);
+    };
+    if (!std::all_of(places.begin(), places.end(), is_number)) continue;
+    const bool above = k > first && !lines[k - 1].comment &&
+                       fields_of(lines[k - 1].text, header->separation).size() == fields.size();
+    return {.index = above ? k - 1 : k, .certain = true, .absent = !above};
+  }
+  return {.index = first, .certain = false, .absent = false};
+}
+
+Error header_below_data(const std::string& file, const Line& header, const Line& data) {
+  return bad_data({.file = file, .row = header.number}, header.text,
+                  fmt::format("the header above all rows of numbers; line {} looks like one", data.number));
+}
+
+// The line that names the columns.
 Found find_header(const std::string& file, const std::vector<Line>& lines, std::size_t first,
                   std::optional<char> separator, const ReadOptions& options) {
   std::optional<std::size_t> in_comment;
-  std::optional<std::size_t> likely;
+  std::optional<std::size_t> data;
   for (std::size_t k = first; k < lines.size(); ++k) {
     const auto header = header_of(file, lines[k], separator);
     if (!header) continue;
     if (!lines[k].comment && is_data(lines[k].text, header->separation)) {
-      if (in_comment) return {.index = *in_comment, .certain = true};
-      if (!likely && k > first && !lines[k - 1].comment) likely = k - 1;
-      if (!likely) likely = k;
+      if (in_comment) return {.index = *in_comment, .certain = true, .absent = false};
+      if (!data) data = k;
       continue;
     }
     if (!names_what_is_needed(*header, options)) continue;
+    if (!lines[k].comment) {
+      const bool below =
+          data && fields_of(lines[*data].text, header->separation).size() == header->cells.size();
+      if (below) throw header_below_data(file, lines[k], lines[*data]);
+      return {.index = k, .certain = true, .absent = false};
+    }
     const bool followed = k + 1 < lines.size() && !lines[k + 1].comment &&
                           fields_of(lines[k + 1].text, header->separation).size() == header->cells.size();
-    if (by_position(options) && (!followed || lines[k].comment)) continue;
-    if (!lines[k].comment) return {.index = k, .certain = true};
-    if (followed && !in_comment) in_comment = k;
+    if (followed && !data && !in_comment) in_comment = k;
   }
-  const auto noncomment = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end(),
-                                       [](const Line& line) { return !line.comment; });
-  const auto first_text = static_cast<std::size_t>(noncomment - lines.begin());
-  return {.index = likely.value_or(first_text), .certain = false};
+  // None: the line above the first data looks most like it.
+  if (data)
+    return {.index = *data > first && !lines[*data - 1].comment ? *data - 1 : *data,
+            .certain = false,
+            .absent = false};
+  const auto text = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end(),
+                                 [](const Line& line) { return !line.comment; });
+  if (text == lines.end())
+    throw bad_data({.file = file}, "nothing but blank lines and comments", kExpectedHeader);
+  return {.index = static_cast<std::size_t>(text - lines.begin()), .certain = false, .absent = false};
 }
 
-bool is_unit_field(std::string_view field) {
-  if (field.size() > 2 && (field.front() == '[' || field.front() == '('))
-    field = field.substr(1, field.size() - 2);
-  return find_unit(field).has_value();
+std::string_view without_brackets(std::string_view field) {
+  const bool bracketed = field.size() > 2 && (field.front() == '[' || field.front() == '(');
+  return bracketed ? field.substr(1, field.size() - 2) : field;
 }
 
 // A line whose every field is a unit, or says that there is none. Its units go to the cells that have none.
@@ -137,76 +176,80 @@ bool take_units(const Line& line, Header& header) {
   if (fields.size() > header.cells.size()) return false;
   const auto empty = [](const std::string& field) { return field.empty() || field == "-" || field == "#"; };
   if (!std::all_of(fields.begin(), fields.end(),
-                   [&empty](const std::string& field) { return empty(field) || is_unit_field(field); }) ||
+                   [&empty](const std::string& field) {
+                     return empty(field) || find_unit(without_brackets(field));
+                   }) ||
       std::all_of(fields.begin(), fields.end(), empty)) {
     return false;
   }
   for (std::size_t k = 0; k < fields.size(); ++k) {
     if (empty(fields[k]) || header.cells[k].unit) continue;
-    const HeaderCell named = parse_header_cell("x" + fields[k]);
-    header.cells[k].unit = named.unit ? *named.unit : fields[k];
+    header.cells[k].unit = without_brackets(fields[k]);
   }
   return true;
 }
 
-Error no_header(const std::string& file, const Line& line) {
-  return bad_data({.file = file, .row = line.number}, line.text, kExpectedHeader, {{"map", "Ai=#1,E=#2"}});
+Error no_header(const std::string& file, const Line& line, std::size_t fields) {
+  const char* const map = fields >= 4   ? "Ai=#1[g],Ao=#2[g],Ap=#3[g],E=#4[V]"
+                          : fields == 3 ? "Ai=#1[g],Ao=#2[g],E=#3[V]"
+                                        : "Ai=#1[g],E=#2[V]";
+  return bad_data({.file = file, .row = line.number}, line.text,
+                  fmt::format("{}; without one, say which column is which, and the units", kExpectedHeader),
+                  {{"map", map}});
 }
 
 // The names of columns of a file without a header.
 Header numbered(const std::string& file, const Line& line, std::optional<char> separator) {
   Header header = parse_header(file, line.text, line.number, separator);
   for (std::size_t k = 0; k < header.cells.size(); ++k) {
-    header.cells[k] = {.text = fmt::format("#{}", k + 1), .name = fmt::format("#{}", k + 1), .unit = {}};
+    header.cells[k] = {
+        .text = fmt::format("#{}", k + 1), .name = fmt::format("#{}", k + 1), .unit = {}, .loose = false};
   }
   header.text.clear();
   return header;
 }
 
-void begin_data(Preamble& preamble, const Chunk& chunk, const std::vector<Line>& lines, std::size_t next) {
-  if (next >= lines.size()) {
-    preamble.data_begin = chunk.text.size();
-    preamble.data_line = lines.back().number + 1;
-    return;
-  }
-  // Comments between header and data are the rows' business: they are counted there.
-  preamble.data_begin = static_cast<std::size_t>(lines[next].text.data() - chunk.text.data());
-  preamble.data_line = lines[next].number;
+// Where the line after this one begins.
+void begin_data(Preamble& preamble, const Chunk& chunk, const Line& last) {
+  const auto end = chunk.text.find('\n', static_cast<std::size_t>(last.text.data() - chunk.text.data()));
+  preamble.data_begin = end == std::string::npos ? chunk.text.size() : end + 1;
+  preamble.data_line = last.number + 1;
 }
 
 }  // namespace
 
 Preamble read_preamble(const std::string& file, const Chunk& chunk, const ReadOptions& options) {
-  const std::vector<Line> lines = first_lines(chunk);
-  if (std::all_of(lines.begin(), lines.end(), [](const Line& line) { return line.comment; }) &&
-      std::none_of(lines.begin(), lines.end(), [&](const Line& line) {
-        const auto header = header_of(file, line, std::nullopt);
-        return header && names_what_is_needed(*header, options);
-      })) {
-    throw bad_data({.file = file}, "nothing but blank lines and comments", kExpectedHeader);
-  }
-  std::optional<char> separator = stated_separator(lines.front().text);
+  const std::vector<Line> lines = lines_of(chunk);
+  if (lines.empty()) throw bad_data({.file = file}, "nothing but blank lines and comments", kExpectedHeader);
+  const std::optional<char> separator = stated_separator(lines.front().text);
   const std::size_t first = separator ? 1 : 0;
-  if (first == lines.size()) throw bad_data({.file = file, .row = 1}, lines.front().text, kExpectedHeader);
-  const Found found = find_header(file, lines, first, separator, options);
+  if (first == lines.size())
+    throw bad_data({.file = file, .row = lines.front().number}, lines.front().text, kExpectedHeader);
+  const std::vector<std::size_t> places = positions(options);
+  const Found found = places.empty() ? find_header(file, lines, first, separator, options)
+                                     : find_above_data(file, lines, first, separator, places);
   const Line& line = lines[found.index];
-  const bool numbers = !found.certain && header_of(file, line, separator) &&
-                       is_data(line.text, header_of(file, line, separator)->separation);
-  if (numbers && !by_position(options)) throw no_header(file, line);
 
   Preamble preamble;
-  preamble.header = numbers ? numbered(file, line, separator)
-                            : parse_header(file, without_comment_mark(line), line.number, separator);
+  if (found.absent) {
+    preamble.header = numbered(file, line, separator);
+    preamble.data_begin = static_cast<std::size_t>(line.text.data() - chunk.text.data());
+    preamble.data_line = line.number;
+  } else {
+    preamble.header = parse_header(file, without_comment_mark(line), line.number, separator);
+    if (!found.certain && is_data(line.text, preamble.header.separation))
+      throw no_header(file, line, preamble.header.cells.size());
+    begin_data(preamble, chunk, line);
+  }
   preamble.header_in_comment = line.comment;
   for (std::size_t k = first; k < found.index; ++k) {
     if (!lines[k].comment) preamble.skipped.push_back(lines[k].number);
   }
-  std::size_t next = found.index + (numbers ? 0 : 1);
-  if (!numbers && next < lines.size() && take_units(lines[next], preamble.header)) {
+  const std::size_t next = found.index + 1;
+  if (!found.absent && next < lines.size() && take_units(lines[next], preamble.header)) {
     preamble.units_row = lines[next].number;
-    ++next;
+    begin_data(preamble, chunk, lines[next]);
   }
-  begin_data(preamble, chunk, lines, next);
   return preamble;
 }
 

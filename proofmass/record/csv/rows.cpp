@@ -51,7 +51,10 @@ Error bad_number(const Place& place, std::string_view field, const LenientNumber
     return bad_data(place, field, "a number with a decimal comma and no point, as in the other rows",
                     {{"decimal", "point"}});
   }
-  return bad_data(place, field, expected_number(field, number.fault));
+  std::vector<Remedy> remedies;
+  if (!decimal_comma && read_lenient(field, true).fault == NumberFault::none)
+    remedies.push_back({"decimal", "comma"});
+  return bad_data(place, field, expected_number(field, number.fault), std::move(remedies));
 }
 
 }  // namespace
@@ -70,8 +73,8 @@ void LineList::append(const LineList& later) {
 }
 
 void RowNotes::append(const RowNotes& later) {
-  for (const auto list : {&RowNotes::comments, &RowNotes::empty, &RowNotes::headers, &RowNotes::overloads,
-                          &RowNotes::converted, &RowNotes::cell_units}) {
+  for (const auto list : {&RowNotes::labelled, &RowNotes::comments, &RowNotes::empty, &RowNotes::headers,
+                          &RowNotes::overloads, &RowNotes::converted, &RowNotes::cell_units}) {
     (this->*list).append(later.*list);
   }
   clocks += later.clocks;
@@ -137,8 +140,13 @@ void RowParser::append(std::string_view line, std::size_t line_number) {
   if (!plain || !append_plain(line)) {
     append_other(line, line_number);
   } else {
-    block_.rows.line.push_back(line_number);
+    keep_row(line_number);
   }
+}
+
+void RowParser::keep_row(std::size_t line_number) {
+  for (Slot& slot : slots_) slot.decimals |= slot.row_decimals;
+  block_.rows.line.push_back(line_number);
 }
 
 bool RowParser::append_plain(std::string_view line) {
@@ -187,7 +195,7 @@ const char* RowParser::take_number(Slot& slot, const char* first, const char* la
   while (end != last && is_blank(*end, separator_)) ++end;
   if (end != last && *end != separator_) return nullptr;
   slot.numbers->push_back(number.value * slot.to_canonical);
-  slot.decimals |= bit_of(number.decimals);
+  slot.row_decimals = bit_of(number.decimals);
   return end;
 }
 
@@ -196,8 +204,9 @@ void RowParser::append_other(std::string_view line, std::size_t line_number) {
   const std::string marked = separated_by_marks(line, format_.header.separation);
   std::vector<std::string_view> fields = split_fields(marked, separator_);
   const bool comment = line[line.find_first_not_of(" \t")] == '#';
+  if (is_repeated_header(line, line_number)) return notes.headers.add(line_number);
   if (comment && !is_commented_row(fields)) return notes.comments.add(line_number);
-  if (line == format_.header.text) return notes.headers.add(line_number);
+  if (comment) notes.labelled.add(line_number);
   if (std::all_of(fields.begin(), fields.end(), [](std::string_view field) { return field.empty(); }))
     return notes.empty.add(line_number);
   require_fields(fields, line, line_number);
@@ -214,26 +223,63 @@ void RowParser::append_other(std::string_view line, std::size_t line_number) {
       take_lenient(slot, fields[k], place);
     }
   }
-  block_.rows.line.push_back(line_number);
+  keep_row(line_number);
 }
 
-// A line that begins with '#' is a comment, unless it has the header's number of fields and a number in one
-// that needs one, or an error of a spreadsheet in front: then it is a row, whose label happens to begin so.
+// A line that begins with '#' is a comment, unless it has the header's number of fields and a number in each
+// that needs one, after a label such as "#0"; or an error of a spreadsheet in front.
 bool RowParser::is_commented_row(const std::vector<std::string_view>& fields) const {
-  if (fields.size() != slots_.size()) return false;
+  if (fields.size() != slots_.size() || format_.header.separation.blanks) return false;
   if (is_spreadsheet_error(fields.front())) return true;
-  for (std::size_t k = 0; k < slots_.size(); ++k) {
-    if (slots_[k].numbers == nullptr) continue;
-    const LenientNumber number = read_lenient(fields[k], format_.decimal_comma);
-    if (number.fault == NumberFault::none || number.overload) return true;
+  if (fields.front().size() > 1 && is_blank(fields.front()[1], '\0')) return false;  // "# mean,…"
+  return std::all_of(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+    if (slot.numbers == nullptr || slot.may_miss) return true;
+    const auto text = unquoted(fields[static_cast<std::size_t>(&slot - slots_.data())]);
+    if (!text) return false;
+    const LenientNumber number = read_lenient(*text, format_.decimal_comma);
+    return number.fault == NumberFault::none || number.overload;
+  });
+}
+
+// Whether a line names columns as a header does: at least two of Proofmass's. Throws when it names others
+// than the header: the rows below it would be read under the wrong names.
+bool RowParser::is_repeated_header(std::string_view line, std::size_t line_number) const {
+  if (line == format_.header.text) return true;
+  const auto begin = line.find_first_not_of("# \t");
+  if (begin == std::string_view::npos) return false;
+  const std::string marked = separated_by_marks(line.substr(begin), format_.header.separation);
+  std::vector<std::string> cells;
+  std::size_t known = 0;
+  for (const std::string_view field : split_fields(marked, separator_)) {
+    const HeaderCell cell = parse_header_cell(unquoted(field).value_or(""));
+    cells.push_back(cell.text);
+    if (find_column(cell.name)) ++known;
   }
-  return false;
+  if (known < 2) return false;
+  while (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+  const auto same = [](const std::string& text, const HeaderCell& cell) {
+    return text == cell.text || parse_header_cell(text).name == cell.name;
+  };
+  const bool repeated =
+      std::equal(cells.begin(), cells.end(), format_.header.cells.begin(), format_.header.cells.end(),
+                 [&same](const std::string& text, const HeaderCell& cell) {
+                   const HeaderCell again = parse_header_cell(text);
+                   return same(text, cell) && (!again.unit || again.unit == cell.unit);
+                 });
+  if (repeated) return true;
+  throw bad_data(
+      {.file = format_.header.file, .row = line_number}, line,
+      fmt::format("rows under the header of line {}; this looks like another header: put what follows into a "
+                  "file of its own",
+                  format_.header.row));
 }
 
 bool RowParser::has_overload(const std::vector<std::string_view>& fields) const {
   for (std::size_t k = 0; k < slots_.size(); ++k) {
     if (slots_[k].numbers == nullptr || slots_[k].may_miss) continue;
-    if (read_lenient(unquoted(fields[k]).value_or(""), format_.decimal_comma).overload) return true;
+    const LenientNumber number = read_lenient(unquoted(fields[k]).value_or(""), format_.decimal_comma);
+    // Meters mark what they measure, not its uncertainty.
+    if (number.overload && (!slots_[k].non_negative || number.fault != NumberFault::none)) return true;
   }
   return false;
 }
@@ -246,8 +292,9 @@ void RowParser::require_fields(std::vector<std::string_view>& fields, std::strin
   const auto needed = [](const Slot& slot) {
     return slot.labels != nullptr || (slot.numbers != nullptr && !slot.may_miss);
   };
+  // Of fields between blanks nobody knows which one is missing.
   const bool spare =
-      fields.size() < slots_.size() &&
+      fields.size() < slots_.size() && !format_.header.separation.blanks &&
       std::none_of(slots_.begin() + static_cast<std::ptrdiff_t>(fields.size()), slots_.end(), needed);
   if (spare) fields.resize(slots_.size());
   if (fields.size() == slots_.size()) return;
@@ -258,7 +305,7 @@ void RowParser::require_fields(std::vector<std::string_view>& fields, std::strin
 void RowParser::take_label(const Slot& slot, std::string_view field, const Place& place) const {
   auto text = unquoted(field);
   if (!text) throw bad_data(place, field, "a field with matching quotes");
-  if (!is_utf8(*text)) throw bad_data(place, field, "text in UTF-8", {{"encoding", ""}});
+  if (!is_utf8(*text)) throw bad_data(place, field, "text in UTF-8", {{"encoding", "Windows-1252"}});
   slot.labels->push_back(std::move(*text));
 }
 
@@ -277,7 +324,7 @@ void RowParser::take_lenient(Slot& slot, std::string_view field, const Place& pl
   }
   if (number.converted) block_.notes.converted.add(place.row);
   slot.numbers->push_back(number.value * slot.to_canonical);
-  slot.decimals |= bit_of(number.decimals);
+  slot.row_decimals = bit_of(number.decimals);
 }
 
 // A time of day or a date in the column t, or nothing that can be read.

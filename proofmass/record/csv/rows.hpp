@@ -31,11 +31,13 @@ struct RowFormat {
   Header header;
   std::vector<PlacedColumn> placed;
   bool decimal_comma = false;
+  bool comma_proven = false;  // by a number that no thousands can be
   bool leave_out_overloads = false;
 };
 
 // What became of the lines of a record beside rows.
 struct RowNotes {
+  LineList labelled;                             // rows whose label begins with '#'
   LineList comments, empty, headers, overloads;  // lines without data, and rows that were left out
   LineList converted;                            // rows with numbers in other characters or exponents
   LineList cell_units;                           // rows with units in their cells
@@ -75,7 +77,7 @@ class RowParser {
     double to_canonical = 1.0;
     bool non_negative = false;
     bool may_miss = false;  // T and t: a value that cannot be read does not refuse the record
-    std::uint32_t decimals = 0;
+    std::uint32_t decimals = 0, row_decimals = 0;  // of the rows kept; of the last number read
     Column column = Column::Ai;
     std::string unit;
   };
@@ -95,6 +97,8 @@ class RowParser {
   void require_fields(std::vector<std::string_view>& fields, std::string_view line,
                       std::size_t line_number) const;
   void keep(std::size_t rows);
+  void keep_row(std::size_t line_number);
+  [[nodiscard]] bool is_repeated_header(std::string_view line, std::size_t line_number) const;
 
   const RowFormat& format_;
   RowBlock& block_;

@@ -50,7 +50,7 @@ Unit default_unit(Column column) {
 // The header's own words may look like a unit and be none: "Voltage (Ch 2)".
 std::vector<Remedy> unit_remedy(const Header& header, Column column, std::size_t index) {
   if (column == Column::mount || header.cells[index].text.find('[') != std::string::npos) return {};
-  return {{"map", fmt::format("{}={}[{}]", column_name(column), header.cells[index].text,
+  return {{"map", fmt::format("{}={}[{}]", column_name(column), excerpt(header.cells[index].text),
                               default_unit(column).symbol)}};
 }
 

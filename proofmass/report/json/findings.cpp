@@ -17,7 +17,7 @@ Json json_of(const Finding& finding) {
     // What is not finite has no number in JSON.
     const auto* const number = std::get_if<double>(&figure.value);
     if (number != nullptr && !std::isfinite(*number)) {
-      json["figures"][figure.name] = "infinite";
+      json["figures"][figure.name] = std::isnan(*number) ? "not a number" : "infinite";
     } else {
       std::visit([&](const auto& value) { json["figures"][figure.name] = value; }, figure.value);
     }

@@ -44,10 +44,9 @@ Json json_of(const MountSummary& mount) { return {{"name", mount.name}, {"rows",
 
 // Of a finding that says why a term is not identified.
 Json json_of_unidentified(const Finding& finding) {
-  const bool aliased = finding.code == Code::term_aliased;
   const TermList others(finding.terms.begin() + 1, finding.terms.end());
   return {{"name", name(finding.terms.front())},
-          {"confounded_with", aliased ? names_of(others) : Json::array()},
+          {"confounded_with", names_of(others)},
           {"reason", english_reason(finding)},
           {"cause", json_of(finding)}};
 }

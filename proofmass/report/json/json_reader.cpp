@@ -38,7 +38,8 @@ Coefficient coefficient_of(const JsonNode& node) {
   coefficient.t = optional_number(node, "t");
   coefficient.p = optional_number(node, "p");
   coefficient.vif = optional_number(node, "vif");
-  if (const auto cause = node.find("cause")) {
+  const auto cause = node.find("cause");
+  if (cause && find_code(cause->at("code").text())) {
     coefficient.reason = finding_of(*cause);
   } else if (const auto reason = node.find("reason")) {  // all that 0.1.0 wrote
     coefficient.reason = {.code = Code::verbatim, .figures = {{"text", reason->text()}}};

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "proofmass/core/error.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
 #include "proofmass/report/text/en.hpp"
@@ -25,7 +26,7 @@ void write_ignored(TerminalText& out, const std::vector<IgnoredColumn>& columns)
   if (columns.empty()) return;
   std::string names;
   for (const IgnoredColumn& column : columns) {
-    names.append(names.empty() ? "" : ", ").append(column.header);
+    names.append(names.empty() ? "" : ", ").append(excerpt(column.header));
     if (!column.nearest.empty()) names += fmt::format(" (not {}?)", column.nearest);
   }
   out.line(fmt::format("ignored columns: {}", names));

@@ -18,6 +18,7 @@ std::string_view sentence(Code code) noexcept {
     case Code::term_input_zero:
     case Code::term_aliased:
     case Code::term_beyond_rows:
+    case Code::term_hidden_by_rounding:
     case Code::term_left_out:
     case Code::term_without_expansion:
       break;  // see english_reason
@@ -31,6 +32,8 @@ std::string_view sentence(Code code) noexcept {
       return "line {lines} is taken for the units of the columns";
     case Code::record_units_in_cells:
       return "units are taken from the cells, in {count:.0f} rows";
+    case Code::record_unit_in_name:
+      return "the end of the name {column} is taken for its unit, {unit}";
     case Code::record_units_assumed:
       return "no unit is declared for {columns}: {unit} is assumed";
     case Code::record_decimal_comma:
@@ -42,6 +45,8 @@ std::string_view sentence(Code code) noexcept {
              "exponent of Fortran (1.5D+00), which are read as usual: lines {lines}";
     case Code::record_times_converted:
       return "times of day or dates in the column t are read as seconds since the first row";
+    case Code::record_labels_with_mark:
+      return "{count:.0f} lines that begin with # are rows, because they have a row's numbers: {lines}";
     case Code::record_comments_skipped:
       return "{count:.0f} comment lines among the data are skipped: {lines}";
     case Code::record_empty_rows_skipped:
@@ -246,7 +251,8 @@ std::string english(const Finding& finding) {
   const std::string text =
       join_names({finding.terms.begin(), finding.terms.begin() + !finding.terms.empty()}) +
       " is not identified: " + english_reason(finding);
-  if (finding.code != Code::term_aliased || finding.terms.size() < 2) return text;
+  const bool aliased = finding.code == Code::term_aliased || finding.code == Code::term_hidden_by_rounding;
+  if (!aliased || finding.terms.size() < 2) return text;
   return text + "; whatever it contributes is in the value of " +
          join_names({finding.terms.begin() + 1, finding.terms.end()});
 }

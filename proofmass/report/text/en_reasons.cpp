@@ -24,6 +24,21 @@ std::string aliased(const Finding& finding) {
                      product, products);
 }
 
+std::string hidden_by_rounding(const Finding& finding) {
+  if (finding.terms.size() < 2) {
+    return filled(
+        "its input is no larger than the rounding of the inputs, which are written in steps of {step:.2g} g",
+        finding);
+  }
+  return fmt::format("aliased with {} at the resolution of the record: ",
+                     join_names({finding.terms.begin() + 1, finding.terms.end()})) +
+         filled(
+             "the inputs are written in steps of {step:.2g} g, and what separates these terms is no more "
+             "than their "
+             "rounding. Write the inputs with more digits, or test at more levels of acceleration",
+             finding);
+}
+
 std::string reason(const Finding& finding) {
   switch (finding.code) {
     case Code::term_without_column:
@@ -34,6 +49,8 @@ std::string reason(const Finding& finding) {
       return aliased(finding);
     case Code::term_beyond_rows:
       return filled("{rows:.0f} rows cannot determine more than {rows:.0f} terms", finding);
+    case Code::term_hidden_by_rounding:
+      return hidden_by_rounding(finding);
     case Code::term_left_out:
       return filled(
           "left out by the search: the criterion is {without:.6g} {unit} without it, {with:.6g} {unit} with "

@@ -134,6 +134,11 @@ TEST(English, SaysWhyATermIsNotIdentified) {
                                         {"count", std::size_t{270}},
                                         {"total", std::size_t{300}}}}),
             "Ai*Ao is zero in every row (among the 270 of 300 rows that have weight)");
+  EXPECT_THAT(english_reason({.code = Code::term_hidden_by_rounding,
+                              .terms = {Term::Koo, Term::K0, Term::Kii},
+                              .figures = {{"step", 0.001}}}),
+              StartsWith("aliased with K0, Kii at the resolution of the record: the inputs are written in "
+                         "steps of 0.001 g"));
   EXPECT_EQ(english_reason({.code = Code::verbatim, .figures = {{"text", std::string("{old} words")}}}),
             "{old} words");
 }

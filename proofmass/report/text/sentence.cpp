@@ -31,7 +31,8 @@ struct fmt::formatter<proofmass::ShownFigure> {
   auto format(const proofmass::ShownFigure& figure, format_context& context) const {
     const auto* const number = std::get_if<double>(&figure.value);
     if (number == nullptr) return format_to(context.out(), "{}", std::get<std::string>(figure.value));
-    if (!std::isfinite(*number)) return format_to(context.out(), "infinite");
+    if (std::isnan(*number)) return format_to(context.out(), "not a number");
+    if (std::isinf(*number)) return format_to(context.out(), "infinite");
     return vformat_to(context.out(), number_format, make_format_args(*number));
   }
 };
