@@ -84,9 +84,10 @@ Error missing(const Header& header, Column column, const std::string& wanted) {
                              excerpt(angle->text));
   const HeaderCell* const slip = own ? slip_of(header, column) : nullptr;
   std::vector<Remedy> remedies;
-  if (angle == nullptr)
+  if (angle == nullptr) {
     remedies.push_back(
         {"map", slip == nullptr ? fmt::format("{}=NAME", column_name(column)) : slips_of(header)});
+  }
   return bad_data(
       {.file = header.file, .row = header.row, .column = wanted}, names_of(header),
       fmt::format("a column named {}{}; columns are separated by comma, semicolon, tab or blanks{}", wanted,

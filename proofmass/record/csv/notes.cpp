@@ -144,7 +144,8 @@ void settle_optional_columns(Dataset& record, const RowNotes& notes) {
 
 void settle_decimals(Dataset& record, RowFormat format, const RowNotes& notes, const ReadOptions& options) {
   format.comma_proven = format.decimal_comma && proves_comma(record, format, notes);
-  constexpr int kMostDecimals = 17;  // more are an exponent's, or a program's that prints all digits it has
+  constexpr int kMostWrittenDecimals =
+      17;  // more are an exponent's, or a program's that prints all digits it has
   for (const PlacedColumn& p : format.placed) {
     if (p.column == Column::mount || p.column == Column::t || p.column == Column::T) continue;
     const std::uint32_t decimals = notes.decimals[static_cast<std::size_t>(p.column)];
@@ -153,7 +154,7 @@ void settle_decimals(Dataset& record, RowFormat format, const RowNotes& notes, c
     const auto axis = static_cast<std::size_t>(p.column);
     const int most = static_cast<int>(std::bit_width(decimals)) - 1;
     // Whole numbers are nominal positions, "1" and "-1" g, not measurements to the nearest g.
-    if (axis < kAxes.size() && most >= 1 && most <= kMostDecimals)
+    if (axis < kAxes.size() && most >= 1 && most <= kMostWrittenDecimals)
       record.acceleration_resolution[axis] = std::pow(10.0, -most) * p.unit.to_canonical;
   }
 }

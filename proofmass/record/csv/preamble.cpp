@@ -154,10 +154,10 @@ Found find_header(const std::string& file, const std::vector<Line>& lines, std::
     if (followed && !data && !in_comment) in_comment = k;
   }
   // None: the line above the first data looks most like it.
-  if (data)
-    return {.index = *data > first && !lines[*data - 1].comment ? *data - 1 : *data,
-            .certain = false,
-            .absent = false};
+  if (data) {
+    const bool above = *data > first && !lines[*data - 1].comment;
+    return {.index = above ? *data - 1 : *data, .certain = false, .absent = false};
+  }
   const auto text = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end(),
                                  [](const Line& line) { return !line.comment; });
   if (text == lines.end())

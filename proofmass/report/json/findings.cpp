@@ -6,7 +6,9 @@
 
 namespace proofmass {
 
+namespace {
 using Json = nlohmann::ordered_json;
+}  // namespace
 
 Json json_of(const Finding& finding) {
   Json json{{"code", to_string(finding.code)}, {"severity", to_string(finding.severity)}};

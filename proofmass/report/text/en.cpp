@@ -248,9 +248,8 @@ std::string_view phrase(std::string_view figure, std::string_view word) noexcept
 std::string english(const Finding& finding) {
   const std::string_view words = sentence(finding.code);
   if (!words.empty()) return filled(words, finding, phrase);
-  const std::string text =
-      join_names({finding.terms.begin(), finding.terms.begin() + !finding.terms.empty()}) +
-      " is not identified: " + english_reason(finding);
+  std::string text = join_names({finding.terms.begin(), finding.terms.begin() + !finding.terms.empty()}) +
+                     " is not identified: " + english_reason(finding);
   const bool aliased = finding.code == Code::term_aliased || finding.code == Code::term_hidden_by_rounding;
   if (!aliased || finding.terms.size() < 2) return text;
   return text + "; whatever it contributes is in the value of " +
