@@ -35,10 +35,11 @@ class RowReader {
 
   // The rows from a byte of the first chunk on. Throws what goes wrong first in the order of the file.
   RowBlock read(const Chunk& first, std::size_t begin, std::size_t line, std::size_t threads) {
-    parse(std::string_view(first.text).substr(begin), line, all_);
+    RowParser rows(format_, all_);
+    rows.parse(std::string_view(first.text).substr(begin), line);
     // Memory in advance, with a small margin, avoids copies of the columns as they grow.
     const double expected = 1.05 * chunks_.growth() * static_cast<double>(all_.rows.line.size());
-    RowParser(format_, all_).reserve(std::min(static_cast<std::size_t>(expected), kMostExpected));
+    rows.reserve(std::min(static_cast<std::size_t>(expected), kMostExpected));
     std::vector<std::jthread> helpers;
     const auto chunks = static_cast<std::size_t>(chunks_.growth());
     try {
@@ -53,11 +54,6 @@ class RowReader {
   }
 
  private:
-  void parse(std::string_view text, std::size_t line, RowBlock& block) const {
-    RowParser rows(format_, block);
-    rows.parse(text, line);
-  }
-
   // The next chunk and its number; empty when there is none, or when something went wrong.
   std::optional<std::pair<Chunk, std::size_t>> take() {
     const std::lock_guard lock(taking_);
@@ -202,8 +198,7 @@ Dataset read_record(const std::filesystem::path& path, const ReadOptions& option
   ChunkReader chunks(path, asked_encoding(options), progress);
   const auto first = chunks.next();
   if (!first) {
-    throw bad_data({.file = chunks.name()}, "an empty file",
-                   "a header line that names the columns Ai Ao Ap E");
+    throw bad_data({.file = chunks.name()}, "an empty file", kExpectedHeader);
   }
   Preamble preamble = read_preamble(chunks.name(), *first, options);
   take_cell_units(*first, preamble, place_columns(preamble.header, options));

@@ -135,9 +135,4 @@ std::optional<std::string> unquoted(std::string_view field) {
   return std::nullopt;
 }
 
-bool is_skipped(std::string_view line) noexcept {
-  const auto first = line.find_first_not_of(" \t");
-  return first == std::string_view::npos || line[first] == '#';
-}
-
 }  // namespace proofmass

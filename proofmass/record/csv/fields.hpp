@@ -32,7 +32,4 @@ namespace proofmass {
 // as '-', blanks of any width as ' '.
 [[nodiscard]] std::string plain_characters(std::string_view text);
 
-// True for lines without data: blank lines and comments.
-[[nodiscard]] bool is_skipped(std::string_view line) noexcept;
-
 }  // namespace proofmass

@@ -17,8 +17,6 @@
 namespace proofmass {
 namespace {
 
-constexpr std::string_view kExpectedHeader = "a header line that names the columns Ai Ao Ap E";
-
 struct Line {
   std::string_view text;
   std::size_t number = 0;
@@ -87,7 +85,7 @@ bool names_what_is_needed(const Header& header, const ReadOptions& options) {
          (!options.require_output || has_column(header, Column::E, options));
 }
 
-// The positions, from 1, of columns of numbers that are named so.
+// The places, from 0, of columns of numbers that are named by position.
 std::vector<std::size_t> positions(const ReadOptions& options) {
   std::vector<std::size_t> found;
   for (const auto& [name, wanted] : options.rename) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proofmass/record/csv/csv.hpp"
@@ -12,6 +13,9 @@
 #include "proofmass/record/csv/lines.hpp"
 
 namespace proofmass {
+
+// What a file without a header lacks, for messages.
+inline constexpr std::string_view kExpectedHeader = "a header line that names the columns Ai Ao Ap E";
 
 struct Preamble {
   Header header;                         // with the units of the line of units, if there is one
