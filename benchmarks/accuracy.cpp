@@ -107,7 +107,7 @@ Tally measure(const SimulationPlan& plan, const Contestant& contestant, std::siz
   Tally tally;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Dataset record = simulate(plan, plan.rows, seed);
-    const IdentifyOptions options{.terms = full_terms(), .seed = seed};
+    const IdentifyOptions options{.terms = full_terms(), .seed = seed, .split = kTrainingFraction};
     const double floor = identify(record, Ols{}, options).identification.test->rmse;
     const auto start = std::chrono::steady_clock::now();
     const Run run = identify(record, contestant.method, options);

@@ -90,7 +90,8 @@ double floor_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t
   if (plan.unmodelled.saturating != 0.0 || plan.unmodelled.fourth_order != 0.0) {
     return noise_of(plan, record, seed);
   }
-  return identify(record, Ols{}, {.terms = terms, .seed = seed}).identification.test->rmse;
+  return identify(record, Ols{}, {.terms = terms, .seed = seed, .split = kTrainingFraction})
+      .identification.test->rmse;
 }
 
 struct Tally {

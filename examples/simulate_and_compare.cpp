@@ -22,8 +22,11 @@ int main(int argc, char** argv) try {
   }
   const proofmass::SimulationPlan plan = proofmass::read_simulation(argv[1]);
   const proofmass::Dataset record = proofmass::simulate(plan);
-  const proofmass::Identification ols = proofmass::identify(record, proofmass::Ols{}).identification;
-  const proofmass::Identification network = proofmass::identify(record, proofmass::PsoBp{}).identification;
+  // Least squares would fit all rows: both set the same ones aside to test on.
+  const proofmass::IdentifyOptions options{.split = 0.7};
+  const proofmass::Identification ols = proofmass::identify(record, proofmass::Ols{}, options).identification;
+  const proofmass::Identification network =
+      proofmass::identify(record, proofmass::PsoBp{}, options).identification;
 
   std::printf("term            truth     ols (off by)          pso-bp (off by)\n");
   for (std::size_t k = 0; k < ols.coefficients.size(); ++k) {

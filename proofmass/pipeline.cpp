@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "proofmass/assess/diagnosis/diagnosis.hpp"
 #include "proofmass/assess/intervals.hpp"
+#include "proofmass/assess/leave_out.hpp"
 #include "proofmass/assess/metrics.hpp"
 #include "proofmass/assess/selection/hidden_search.hpp"
 #include "proofmass/core/error.hpp"
@@ -35,20 +37,32 @@ void require_training_rows(const Dataset& record, const Split& split, const Iden
   const std::size_t needed = options.terms.size() + 1;
   if (split.training.size() >= needed || split.training.size() == record.rows()) return;
   std::vector<Remedy> remedies;
-  if (record.rows() >= needed && options.split < 1.0) remedies.push_back({"split", "1"});
+  if (record.rows() >= needed && *options.split < 1.0) remedies.push_back({"split", "1"});
   remedies.push_back({"terms", ""});
   throw Error(ErrorKind::bad_data,
               fmt::format("{}: {} rows, {} of them used for fitting (split {}), {} needed for {} terms",
-                          record.source, record.rows(), split.training.size(), options.split, needed,
+                          record.source, record.rows(), split.training.size(), *options.split, needed,
                           options.terms.size()),
               std::move(remedies));
+}
+
+Split divide(const Dataset& record, const SplitOptions& parts, const IdentifyOptions& options) {
+  return options.split_by == SplitBy::mount ? split_mounts(record.mount, parts, options.seed)
+                                            : split_rows(record.rows(), parts, options.seed);
 }
 
 SplitOptions split_of(const Method& method, const IdentifyOptions& options) {
   const NetworkOptions* const network = network_options(method);
   const bool early = network != nullptr && network->early_stopping;
-  return {.training_fraction = options.split,
+  return {.training_fraction = *options.split,
           .validation_fraction = early ? network->validation_fraction : 0.0};
+}
+
+void require_mounts(const Dataset& record, const IdentifyOptions& options) {
+  if (options.split_by == SplitBy::row || !record.mount.empty()) return;
+  throw bad_data({.file = record.source, .row = 0, .column = "mount"}, "",
+                 "a column with the label of the mount in each row, to keep the rows of a mount together",
+                 {{"split-by", "row"}});
 }
 
 // The number of hidden units that trials on the training rows choose, put into the method, and the trials.
@@ -56,12 +70,13 @@ std::vector<HiddenTrial> search_hidden(const Dataset& record, Method& method, co
                                        Progress& progress) {
   NetworkOptions* const network = network_options(method);
   if (network == nullptr || network->hidden) return {};
-  const SplitOptions parts{.training_fraction = options.split,
+  const SplitOptions parts{.training_fraction = *options.split,
                            .validation_fraction = network->validation_fraction};
-  (void)split_rows(record.rows(), parts, options.seed);  // refuses fractions that leave nothing to train on
-  const Dataset rows =
-      record.select(split_rows(record.rows(), {.training_fraction = options.split}, options.seed).training);
-  const auto splits = split_for_trials(rows.rows(), parts, options.seed, network->search_repeats);
+  (void)divide(record, parts, options);  // refuses fractions that leave nothing to train on
+  const Dataset rows = record.select(divide(record, {.training_fraction = *options.split}, options).training);
+  const auto splits = options.split_by == SplitBy::mount
+                          ? split_mounts_for_trials(rows.mount, parts, options.seed, network->search_repeats)
+                          : split_for_trials(rows.rows(), parts, options.seed, network->search_repeats);
   std::vector<HiddenTrial> trials = try_hidden_sizes(rows, method, options, splits, progress);
   network->hidden = trials[choose_hidden(trials)].hidden;
   return trials;
@@ -79,31 +94,28 @@ void score_parts(Identification& result, const Dataset& training, const Dataset&
   result.test = scores(test);
 }
 
-// Says when the rows that train do not speak for those that test.
-void note_unlike_parts(Identification& result, const Dataset& test) {
-  constexpr double kUnlike = 3.0;
-  constexpr double kRounding = 1e-9;  // of the largest output
-  if (!result.train || !result.test || !(result.test->rmse > kUnlike * result.train->rmse)) return;
-  double largest = 0.0;
-  for (const double e : test.output) largest = std::max(largest, std::abs(e));
-  if (result.test->rmse * test.output_unit.to_canonical <= kRounding * largest) return;
-  result.findings.push_back({.code = Code::test_error_larger,
-                             .severity = Severity::warning,
-                             .figures = {{"test", result.test->rmse},
-                                         {"train", result.train->rmse},
-                                         {"ratio", result.test->rmse / result.train->rmse},
-                                         {"unit", test.output_unit.symbol}}});
+// Before the method's own findings, and after those of reading: what cannot be what it claims.
+void add_diagnosis(Run& run, const Dataset& record, const Method& method) {
+  std::vector<Finding> found = diagnose_record(record);
+  const std::vector<Finding> of_fit =
+      diagnose_fit(record, run.split, run.identification, sigma_columns(method).inputs);
+  found.insert(found.end(), of_fit.begin(), of_fit.end());
+  std::vector<Finding>& findings = run.identification.findings;
+  findings.insert(findings.begin(), found.begin(), found.end());
 }
 
 }  // namespace
 
-Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& options, Progress& progress) {
+Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& given, Progress& progress) {
   require_usable(record, asked);
+  require_mounts(record, given);
+  IdentifyOptions options = given;
+  options.split = training_fraction(asked, given);
   Method method = asked;
   std::vector<HiddenTrial> trials = search_hidden(record, method, options, progress);
 
   Run run;
-  run.split = split_rows(record.rows(), split_of(method, options), options.seed);
+  run.split = divide(record, split_of(method, options), options);
   require_training_rows(record, run.split, options);
   const Dataset training = record.select(run.split.training);
   const Dataset validation = record.select(run.split.validation);
@@ -113,7 +125,8 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   if (!trials.empty()) std::get<NetworkDetails>(run.identification.details).hidden_search = std::move(trials);
   add_intervals(run.identification);
   score_parts(run.identification, training, validation, test);
-  note_unlike_parts(run.identification, test);
+  if (training.rows() == record.rows()) add_leave_out_scores(run.identification, training);
+  add_diagnosis(run, record, method);
   run.provenance = {.version = std::string(version()),
                     .input = record.source,
                     .input_sha256 = record.source_sha256,

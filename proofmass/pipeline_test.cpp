@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -87,6 +88,45 @@ TEST(SplitRows, AFractionOfOneTakesAllRows) {
   EXPECT_TRUE(split.test.empty());
 }
 
+std::vector<std::string> labels(std::size_t rows, std::size_t mounts) {
+  std::vector<std::string> names;
+  for (std::size_t row = 0; row < rows; ++row) names.push_back("M" + std::to_string(row * row % mounts));
+  return names;
+}
+
+RC_GTEST_PROP(SplitMounts, KeepsTheRowsOfAMountTogether, ()) {
+  const auto rows = *rc::gen::inRange<std::size_t>(30, 300);
+  const std::vector<std::string> mounts = labels(rows, *rc::gen::inRange<std::size_t>(11, 25));
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const double validation = *rc::gen::element(0.0, 0.15);
+  const Split split = split_mounts(mounts, {.validation_fraction = validation}, seed);
+  std::vector<std::size_t> all(rows);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  RC_ASSERT(together(split) == all);
+  std::map<std::string, int> part_of;
+  for (const auto* part : {&split.training, &split.validation, &split.test}) {
+    const int number = part == &split.training ? 1 : part == &split.test ? 2 : 3;
+    for (const std::size_t row : *part) {
+      int& own = part_of[mounts[row]];
+      RC_ASSERT(own == 0 || own == number);
+      own = number;
+    }
+  }
+  RC_ASSERT(!split.training.empty() && !split.test.empty());
+  RC_ASSERT(split.validation.empty() == (validation == 0.0));
+  // The test part is the same for every method.
+  RC_ASSERT(split_mounts(mounts, {}, seed).test == split.test);
+  RC_ASSERT(split_mounts(mounts, {.training_fraction = 1.0}, seed).training.size() == rows);
+}
+
+TEST(SplitMounts, ComesNearTheFraction) {
+  std::vector<std::string> mounts;
+  for (int row = 0; row < 240; ++row) mounts.push_back(std::to_string(row / 10));
+  EXPECT_EQ(split_mounts(mounts, {}, 1).training.size(), 170U);
+  EXPECT_NE(split_mounts(mounts, {}, 1).test, split_mounts(mounts, {}, 2).test);
+  EXPECT_THROW((void)split_mounts(std::vector<std::string>(20, "one"), {}, 1), Error);
+}
+
 TEST(SplitRows, RefusesFractionsThatMakeNoSense) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   std::vector<SplitOptions> bad;
@@ -109,7 +149,10 @@ TEST(PaperPreset, StopsEarly) {
   Method method = PsoBp{};
   ASSERT_TRUE(apply_paper_preset(method));
   EXPECT_TRUE(network_options(method)->early_stopping);
-  EXPECT_EQ(IdentifyOptions{}.split, 0.7);
+  EXPECT_EQ(training_fraction(method, {}), 0.7);
+  EXPECT_EQ(training_fraction(method, {.split = 0.5}), 0.5);
+  EXPECT_EQ(training_fraction(Ols{}, {}), 1.0);
+  EXPECT_EQ(training_fraction(Ols{}, {.split_by = SplitBy::mount}), 0.7);
   EXPECT_EQ(std::get<PsoBp>(method).particles, 50U);
 }
 
@@ -161,14 +204,15 @@ std::vector<std::string_view> names_of_methods() {
 TEST_P(Identify, TestRowsTouchNothingButTheirOwnScore) {
   const Dataset record = test::make_twin();
   const Method early = small_and_early(method());
-  const auto run = identify(record, early);
+  const IdentifyOptions options{.split = kTrainingFraction};
+  const auto run = identify(record, early, options);
   Dataset spoilt = record;
   for (const std::size_t row : run.split.test) {
     spoilt.output[row] = 1e6;
     spoilt.acceleration[0][row] = -400.0;
   }
   const Identification& a = run.identification;
-  const Identification b = identify(spoilt, early).identification;
+  const Identification b = identify(spoilt, early, options).identification;
   EXPECT_EQ(values_of(a), values_of(b));
   EXPECT_EQ(a.train->rmse, b.train->rmse);
   EXPECT_EQ(a.validation.has_value(), info(early).predicts_by_network);
@@ -181,7 +225,7 @@ TEST_P(Identify, TestRowsTouchNothingButTheirOwnScore) {
 TEST_P(Identify, ScoresEveryPartInTheDeclaredUnit) {
   Dataset record = test::make_twin();
   record.output_unit = find_unit("mV").value();
-  const auto run = identify(record, small_and_early(method()));
+  const auto run = identify(record, small_and_early(method()), {.split = kTrainingFraction});
   const Identification& result = run.identification;
   const auto expect_score = [&](const std::optional<Metrics>& found, const std::vector<std::size_t>& rows) {
     ASSERT_TRUE(found.has_value());
@@ -246,10 +290,11 @@ INSTANTIATE_TEST_SUITE_P(AllMethods, Identify, testing::ValuesIn(names_of_method
 
 TEST(IdentifyOls, SaysWhenTestRowsAreUnlikeTheOthers) {
   Dataset record = test::make_twin();
-  const auto alike = identify(record, Ols{});
+  const IdentifyOptions options{.split = kTrainingFraction};
+  const auto alike = identify(record, Ols{}, options);
   EXPECT_FALSE(test::has(alike.identification, Code::test_error_larger));
   for (const std::size_t row : alike.split.test) record.output[row] *= 1.01;
-  const Identification unlike = identify(record, Ols{}).identification;
+  const Identification unlike = identify(record, Ols{}, options).identification;
   const Finding& finding = test::finding_of(unlike, Code::test_error_larger);
   EXPECT_EQ(finding.severity, Severity::warning);
   EXPECT_EQ(test::number(finding, "test"), unlike.test->rmse);

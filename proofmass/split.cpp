@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "proofmass/core/error.hpp"
@@ -40,6 +42,43 @@ std::pair<std::size_t, std::size_t> part_sizes(std::size_t rows, const SplitOpti
   return {count(training), count(validation)};
 }
 
+// The rows of each mount, in the order of its first row.
+std::vector<std::vector<std::size_t>> rows_by_mount(std::span<const std::string> mounts) {
+  std::unordered_map<std::string_view, std::size_t> place;
+  std::vector<std::vector<std::size_t>> members;
+  for (std::size_t row = 0; row < mounts.size(); ++row) {
+    const auto [entry, is_new] = place.try_emplace(mounts[row], members.size());
+    if (is_new) members.emplace_back();
+    members[entry->second].push_back(row);
+  }
+  return members;
+}
+
+// How many mounts, in that order, have nearest to `rows` rows; at least `least` and at most `most`.
+std::size_t mounts_near(const std::vector<std::vector<std::size_t>>& members,
+                        const std::vector<std::size_t>& order, std::size_t rows, std::size_t least,
+                        std::size_t most) {
+  std::size_t count = 0;
+  std::size_t sum = 0;
+  while (count < most) {
+    const std::size_t next = sum + members[order[count]].size();
+    const bool nearer = next <= rows || next - rows < rows - sum;
+    if (count >= least && !(sum < rows && nearer)) break;
+    sum = next;
+    ++count;
+  }
+  return count;
+}
+
+std::vector<std::size_t> rows_of(const std::vector<std::vector<std::size_t>>& members,
+                                 const std::vector<std::size_t>& order, std::size_t first, std::size_t last) {
+  std::vector<std::size_t> rows;
+  for (std::size_t k = first; k < last; ++k)
+    rows.insert(rows.end(), members[order[k]].begin(), members[order[k]].end());
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
 }  // namespace
 
 Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed) {
@@ -57,14 +96,42 @@ Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t se
           .test = part(training, rows)};
 }
 
-std::vector<Split> split_for_trials(std::size_t rows, const SplitOptions& options, std::uint64_t seed,
-                                    std::size_t trials) {
-  // The fraction is of all rows of the record, of which these are the training fraction.
-  const SplitOptions inner{.training_fraction =
-                               1.0 - options.validation_fraction / options.training_fraction};
+Split split_mounts(std::span<const std::string> mounts, const SplitOptions& options, std::uint64_t seed) {
+  const auto [training, validation] = part_sizes(mounts.size(), options);
+  const std::vector<std::vector<std::size_t>> members = rows_by_mount(mounts);
+  const std::size_t parts = std::size_t{1} + static_cast<std::size_t>(options.training_fraction < 1.0) +
+                            static_cast<std::size_t>(validation > 0);
+  if (members.size() < parts) {
+    throw usage_error(
+        fmt::format("whole mounts cannot be set aside: the record has {} and {} parts need one each",
+                    members.size(), parts));
+  }
+  RandomStream random(seed, stream_id("split mounts"));
+  const std::vector<std::size_t> order = random_permutation(members.size(), random);
+  const std::size_t set_aside = options.training_fraction < 1.0 ? 1 : 0;
+  const std::size_t most = members.size() - set_aside;
+  const std::size_t validating = validation > 0 ? mounts_near(members, order, validation, 1, most - 1) : 0;
+  const std::size_t used =
+      set_aside > 0 ? mounts_near(members, order, training, validating + 1, most) : members.size();
+  return {.training = rows_of(members, order, validating, used),
+          .validation = rows_of(members, order, 0, validating),
+          .test = rows_of(members, order, used, members.size())};
+}
+
+namespace {
+
+// Trials on training rows: the validation fraction is of all rows of the record.
+SplitOptions inner(const SplitOptions& options) {
+  return {.training_fraction = 1.0 - options.validation_fraction / options.training_fraction};
+}
+
+// What would be for testing validates.
+template <typename Draw>
+std::vector<Split> trials_of(const SplitOptions& options, std::size_t rows, std::uint64_t seed,
+                             std::size_t trials, const Draw& draw) {
   std::vector<Split> splits;
   for (std::size_t r = 0; r < trials; ++r) {
-    Split drawn = split_rows(rows, inner, seed + r);
+    Split drawn = draw(seed + r);
     if (drawn.test.empty()) {
       throw usage_error(fmt::format("a validation fraction of {} sets none of {} rows aside to choose by",
                                     options.validation_fraction, rows));
@@ -73,6 +140,20 @@ std::vector<Split> split_for_trials(std::size_t rows, const SplitOptions& option
         {.training = std::move(drawn.training), .validation = std::move(drawn.test), .test = {}});
   }
   return splits;
+}
+
+}  // namespace
+
+std::vector<Split> split_for_trials(std::size_t rows, const SplitOptions& options, std::uint64_t seed,
+                                    std::size_t trials) {
+  return trials_of(options, rows, seed, trials,
+                   [&](std::uint64_t own) { return split_rows(rows, inner(options), own); });
+}
+
+std::vector<Split> split_mounts_for_trials(std::span<const std::string> mounts, const SplitOptions& options,
+                                           std::uint64_t seed, std::size_t trials) {
+  return trials_of(options, mounts.size(), seed, trials,
+                   [&](std::uint64_t own) { return split_mounts(mounts, inner(options), own); });
 }
 
 }  // namespace proofmass

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "proofmass/core/run.hpp"
@@ -21,9 +23,18 @@ struct SplitOptions {
 // fractions that leave no training rows, or of which some validation is left no row.
 [[nodiscard]] Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed);
 
+// The same with whole mounts, `mounts` being the label of each row: as many mounts, drawn at random, as come
+// nearest to the fractions, at least one for each part that is asked for. Throws a usage Error also where
+// there are fewer mounts than parts.
+[[nodiscard]] Split split_mounts(std::span<const std::string> mounts, const SplitOptions& options,
+                                 std::uint64_t seed);
+
 // Divisions of the training rows of a record, `rows` of them, for trials: number r, by seed + r, sets the
 // validation fraction aside and trains on the rest. Throws a usage Error when no row is set aside.
 [[nodiscard]] std::vector<Split> split_for_trials(std::size_t rows, const SplitOptions& options,
                                                   std::uint64_t seed, std::size_t trials);
+[[nodiscard]] std::vector<Split> split_mounts_for_trials(std::span<const std::string> mounts,
+                                                         const SplitOptions& options, std::uint64_t seed,
+                                                         std::size_t trials);
 
 }  // namespace proofmass

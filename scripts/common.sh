@@ -44,7 +44,7 @@ prepare_tables() {
     scripts/install-packages.sh
     say "Building"
     configure release -DPROOFMASS_BUILD_BENCHMARKS=ON
-    build release --target "$program"
+    build release --target "${program//-/_}"
   } >&2
 }
 

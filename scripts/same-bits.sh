@@ -35,7 +35,7 @@ identify() {
   local uncertainties=()
   [[ $4 != tls && $4 != eiv ]] || grep -q sigma_Ai "$3" || uncertainties=(--sigma-input-ug 20)
   [[ $4 != tls && $4 != eiv ]] || grep -q sigma_E "$3" || uncertainties+=(--sigma-output-ug 10)
-  "$1" identify "$3" --method "$4" --seed "$5" --model full --on-rank-loss drop --quiet --json "$2" \
+  "$1" identify "$3" --method "$4" --seed "$5" --model full --on-rank-loss drop --split 0.7 --quiet --json "$2" \
     "${uncertainties[@]}" >/dev/null 2>&1 || echo "{\"exit\": $?}" >"$2"
 }
 

@@ -152,7 +152,7 @@ TEST_F(Safety, EndlessPlansAndResultsEnd) {
 
 TEST_F(Safety, EarlyStoppingLeavesLeastSquaresAlone) {
   const std::string record = make_record();
-  ASSERT_EQ(proofmass({"identify", record, "--json", at("a.json")}).exit_code, 0);
+  ASSERT_EQ(proofmass({"identify", record, "--split", "0.7", "--json", at("a.json")}).exit_code, 0);
   ASSERT_EQ(proofmass({"compare", record, "--methods", "ols,bp", "--early-stopping", "on", "--epochs", "5",
                        "--json", at("b.json")})
                 .exit_code,

@@ -44,7 +44,7 @@ def short_jobs(stable, plan, record):
 def identify(stable, plan, record, *words):
     """Times and the RMSE on the test rows."""
     path = plan.folder / "result.json"
-    times = run(stable, "identify", record, *words, "--json", path)
+    times = run(stable, "identify", record, *words, "--split", "0.7", "--json", path)
     return times, json.loads(path.read_text(encoding="utf-8"))["metrics"]["test"]["rmse"]
 
 

@@ -41,7 +41,7 @@ std::optional<Finding> find_extrapolation(const Identification& result, const Da
   std::size_t first = 0;
   for (std::size_t row = 0; row < inputs.rows(); ++row) {
     if (!outside(row)) continue;
-    if (count++ == 0) first = inputs.line.empty() ? row + 1 : inputs.line[row];
+    if (count++ == 0) first = inputs.line_of(row);
   }
   if (count == 0) return std::nullopt;
   return Finding{.code = Code::inputs_outside_range,

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "proofmass/assess/repeats.hpp"
+#include "proofmass/assess/diagnosis/diagnosis.hpp"
+#include "proofmass/assess/diagnosis/record/repeats.hpp"
 #include "proofmass/core/error.hpp"
 
 namespace proofmass {
@@ -91,6 +92,10 @@ Inspection inspect(const Dataset& record) {
   inspection.mounts = summarise_mounts(record.mount);
   add_repeats(inspection, record);
   add_presets(inspection, record);
+  if (!record.output.empty()) {
+    const std::vector<Finding> found = diagnose_record(record);
+    inspection.findings.insert(inspection.findings.end(), found.begin(), found.end());
+  }
   return inspection;
 }
 

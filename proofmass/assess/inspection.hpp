@@ -42,7 +42,7 @@ struct Inspection {
   bool has_output_sigma = false;
   std::vector<Axis> axes_with_sigma;
   std::vector<IgnoredColumn> ignored;  // columns of the file that no step uses
-  std::vector<Finding> findings;       // what reading skipped, converted and assumed
+  std::vector<Finding> findings;       // what reading skipped, converted and assumed, and what cannot be
   std::size_t repeated_inputs = 0;     // rows whose accelerations equal an earlier row's
   std::size_t repeated_rows = 0;       // and whose output does too
   std::vector<PresetVerdict> presets;  // linear, quadratic, paper, full: the last judges each of the 21 terms

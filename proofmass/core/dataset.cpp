@@ -30,6 +30,13 @@ Acceleration Dataset::at(std::size_t row) const noexcept {
   return {.i = along_axis(0), .o = along_axis(1), .p = along_axis(2)};
 }
 
+std::vector<std::size_t> Dataset::lines_of(std::span<const std::size_t> rows) const {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::size_t> lines;
+  for (const std::size_t row : rows.first(std::min(kMost, rows.size()))) lines.push_back(line_of(row));
+  return lines;
+}
+
 Dataset Dataset::select(std::span<const std::size_t> rows) const {
   Dataset part;
   for (std::size_t axis = 0; axis < acceleration.size(); ++axis) {

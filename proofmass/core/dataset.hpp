@@ -58,6 +58,12 @@ struct Dataset {
   [[nodiscard]] std::vector<Axis> axes() const;
   // Specific force of one row. An axis that the record lacks counts as zero.
   [[nodiscard]] Acceleration at(std::size_t row) const noexcept;
+  // Line of the file that a row came from; the row's number from 1 where it came from none.
+  [[nodiscard]] std::size_t line_of(std::size_t row) const noexcept {
+    return line.empty() ? row + 1 : line[row];
+  }
+  // Those of the first few of these rows, as many as a sentence can list.
+  [[nodiscard]] std::vector<std::size_t> lines_of(std::span<const std::size_t> rows) const;
   // The rows with these numbers, in this order.
   [[nodiscard]] Dataset select(std::span<const std::size_t> rows) const;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/core/finding.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace proofmass {
@@ -40,6 +41,10 @@ constexpr std::array<std::string_view, kCount> kNames{"verbatim",
                                                       "white_noise_assumed",
                                                       "sigma_output_unused",
                                                       "test_error_larger",
+                                                      "left_out_exactly",
+                                                      "left_out_in_one_step",
+                                                      "rows_not_left_out",
+                                                      "mounts_not_left_out",
                                                       "weights_from_sigma",
                                                       "weights_from_model",
                                                       "variance_does_not_grow",
@@ -82,16 +87,81 @@ constexpr std::array<std::string_view, kCount> kNames{"verbatim",
                                                       "network_moves_coefficients",
                                                       "structure_beyond_terms",
                                                       "hidden_choice_ignored",
+                                                      "inputs_in_other_unit",
+                                                      "output_clipped",
+                                                      "output_held",
+                                                      "output_wrapped",
+                                                      "rows_duplicated",
+                                                      "time_backwards",
+                                                      "time_standing",
+                                                      "scale_factor_negative",
+                                                      "scale_factor_unlike_one",
+                                                      "cross_axis_larger",
+                                                      "few_degrees_of_freedom",
+                                                      "gross_misfit",
+                                                      "model_too_short",
+                                                      "residuals_follow_time",
+                                                      "residuals_follow_temperature",
+                                                      "residuals_follow_order",
+                                                      "residuals_follow_mount",
+                                                      "residuals_correlated",
+                                                      "sigma_inputs_unused",
                                                       "inputs_outside_range",
                                                       "other_plan_named",
                                                       "inputs_unlike_plan",
                                                       "outputs_unlike_plan"};
 static_assert(!kNames.back().empty());
 
+constexpr std::array<std::string_view, 3> kSeverities{"basis", "note", "warning"};
+
+constexpr std::array kBasis{Code::left_out_exactly,
+                            Code::left_out_in_one_step,
+                            Code::rows_not_left_out,
+                            Code::mounts_not_left_out,
+                            Code::sigma_output_unused,
+                            Code::outlying_rows,
+                            Code::white_noise_assumed,
+                            Code::weights_from_sigma,
+                            Code::weights_from_model,
+                            Code::sigma_output_taken,
+                            Code::sigma_output_scaled,
+                            Code::weighted_noise_assumed,
+                            Code::sigma_inputs_replaced,
+                            Code::sigma_output_replaced,
+                            Code::uncertainties_taken,
+                            Code::uncertainties_scaled,
+                            Code::total_least_squares_biased,
+                            Code::independent_errors_assumed,
+                            Code::huber_loss,
+                            Code::bisquare_loss,
+                            Code::student_loss,
+                            Code::robust_errors_asymptotic,
+                            Code::terms_chosen,
+                            Code::choice_taken_as_given,
+                            Code::layers_grown,
+                            Code::layers_expanded,
+                            Code::layers_beyond_terms,
+                            Code::layers_without_errors,
+                            Code::search_errors_added,
+                            Code::coefficients_projected,
+                            Code::coefficients_expanded,
+                            Code::structure_beyond_terms,
+                            Code::hidden_choice_ignored};
+
 }  // namespace
 
 std::string_view to_string(Severity severity) noexcept {
-  return severity == Severity::warning ? "warning" : "note";
+  return kSeverities[static_cast<std::size_t>(severity)];
+}
+
+std::optional<Severity> find_severity(std::string_view name) noexcept {
+  const auto* const at = std::find(kSeverities.begin(), kSeverities.end(), name);
+  if (at == kSeverities.end()) return std::nullopt;
+  return static_cast<Severity>(at - kSeverities.begin());
+}
+
+Severity usual_severity(Code code) noexcept {
+  return std::find(kBasis.begin(), kBasis.end(), code) == kBasis.end() ? Severity::note : Severity::basis;
 }
 
 std::string_view to_string(Code code) noexcept { return kNames[static_cast<std::size_t>(code)]; }

@@ -16,10 +16,12 @@
 namespace proofmass {
 
 enum class Severity : std::uint8_t {
-  note,     // what the figures assume, or how they came about
+  basis,    // what the figures of a method rest on: said of every result of it
+  note,     // what was seen in this record or fit
   warning,  // the figures may be wrong, or mean something else than they seem to
 };
 [[nodiscard]] std::string_view to_string(Severity severity) noexcept;
+[[nodiscard]] std::optional<Severity> find_severity(std::string_view name) noexcept;
 
 // What was found. Each has a name in snake case, which is its value in JSON, and a sentence in report/text.
 enum class Code : std::uint8_t {
@@ -58,6 +60,10 @@ enum class Code : std::uint8_t {
   white_noise_assumed,
   sigma_output_unused,
   test_error_larger,
+  left_out_exactly,
+  left_out_in_one_step,
+  rows_not_left_out,
+  mounts_not_left_out,
   // wls
   weights_from_sigma,
   weights_from_model,
@@ -107,6 +113,26 @@ enum class Code : std::uint8_t {
   // hybrid
   structure_beyond_terms,
   hidden_choice_ignored,
+  // What cannot be what it claims: of the record, and of a fit to it.
+  inputs_in_other_unit,
+  output_clipped,
+  output_held,
+  output_wrapped,
+  rows_duplicated,
+  time_backwards,
+  time_standing,
+  scale_factor_negative,
+  scale_factor_unlike_one,
+  cross_axis_larger,
+  few_degrees_of_freedom,
+  gross_misfit,
+  model_too_short,
+  residuals_follow_time,
+  residuals_follow_temperature,
+  residuals_follow_order,
+  residuals_follow_mount,
+  residuals_correlated,
+  sigma_inputs_unused,
   // predict
   inputs_outside_range,
   // compare with a known truth
@@ -116,6 +142,8 @@ enum class Code : std::uint8_t {
 };
 [[nodiscard]] std::string_view to_string(Code code) noexcept;
 [[nodiscard]] std::optional<Code> find_code(std::string_view name) noexcept;
+// Basis or note: a warning is said where it is found.
+[[nodiscard]] Severity usual_severity(Code code) noexcept;
 // All of them, in order.
 [[nodiscard]] std::vector<Code> all_codes();
 
@@ -131,7 +159,7 @@ struct Figure {
 
 struct Finding {
   Code code = Code::verbatim;
-  Severity severity = Severity::note;
+  Severity severity = usual_severity(code);
   TermList terms{};                  // that it is about
   std::vector<std::size_t> lines{};  // of the record's file, or row numbers from 1 where it has none
   std::vector<Figure> figures{};

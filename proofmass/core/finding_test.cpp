@@ -45,7 +45,13 @@ TEST(Code, IsNotFoundByAnotherName) {
   }
 }
 
-TEST(Severity, IsANoteOrAWarning) {
+TEST(Severity, IsABasisANoteOrAWarning) {
+  for (const Severity severity : {Severity::basis, Severity::note, Severity::warning})
+    EXPECT_EQ(find_severity(to_string(severity)), severity);
+  EXPECT_EQ(find_severity("grave"), std::nullopt);
+  EXPECT_EQ(to_string(Severity::basis), "basis");
+  EXPECT_EQ(Finding{.code = Code::white_noise_assumed}.severity, Severity::basis);
+  EXPECT_EQ(Finding{.code = Code::inputs_collinear}.severity, Severity::note);
   EXPECT_EQ(to_string(Severity::note), "note");
   EXPECT_EQ(to_string(Severity::warning), "warning");
 }

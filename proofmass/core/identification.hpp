@@ -125,6 +125,12 @@ struct AfsaDetails {
 };
 using Details = std::variant<std::monostate, NetworkDetails, RobustDetails, GmdhDetails, AfsaDetails>;
 
+// Of the training rows in the fit, relative to one another.
+struct RowWeights {
+  std::vector<double> values;  // empty: all alike
+  bool fixed = true;           // whatever the outputs, so that leaving a row out changes no other's
+};
+
 struct Identification {
   std::string method;
   std::string model;  // preset name, or the list asked for
@@ -135,8 +141,12 @@ struct Identification {
   std::vector<std::pair<Axis, Interval>> input_range;
   std::vector<double> covariance;  // of the identified coefficients, row-major; empty when unknown
   std::optional<TrainedNetwork>
-      network;  // used for prediction by network methods; the others predict by the static model
+      network;             // used for prediction by network methods; the others predict by the static model
+  RowWeights row_weights;  // of a static model; no part of a result file
   std::optional<Metrics> train, validation, test;
+  // Of each training row as predicted by a fit without it, and without its mount; for methods that fit all
+  // rows when they did, over the rows that the others determine.
+  std::optional<Metrics> leave_one_out, leave_one_mount_out;
   Ending ending;
   std::vector<Curve> history;
   Diagnostics diagnostics;

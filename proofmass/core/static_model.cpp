@@ -11,6 +11,12 @@ double StaticModel::output(const Acceleration& a) const noexcept {
   return sum;
 }
 
+double StaticModel::slope(const Acceleration& a, Axis axis) const noexcept {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < terms.size(); ++k) sum += coefficients[k] * regressor_slope(terms[k], a, axis);
+  return sum;
+}
+
 double StaticModel::coefficient(Term term) const noexcept {
   const auto found = std::find(terms.begin(), terms.end(), term);
   return found == terms.end() ? 0.0 : coefficients[static_cast<std::size_t>(found - terms.begin())];

@@ -14,6 +14,8 @@ struct StaticModel {
   std::vector<double> coefficients;  // one a term
 
   [[nodiscard]] double output(const Acceleration& a) const noexcept;
+  // dE/dA along an axis.
+  [[nodiscard]] double slope(const Acceleration& a, Axis axis) const noexcept;
   // The coefficient of a term; 0 when the model does not contain the term.
   [[nodiscard]] double coefficient(Term term) const noexcept;
 };

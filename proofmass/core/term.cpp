@@ -100,6 +100,15 @@ double regressor(Term term, const Acceleration& a) noexcept {
   return power(a.i, powers[0]) * power(a.o, powers[1]) * power(a.p, powers[2]);
 }
 
+double regressor_slope(Term term, const Acceleration& a, Axis axis) noexcept {
+  if (term == Term::Koq) return axis == Axis::input ? 2.0 * std::abs(a.i) : 0.0;
+  auto powers = info(term).powers;
+  int& own = powers[static_cast<std::size_t>(axis)];
+  if (own == 0) return 0.0;
+  const double factor = own--;
+  return factor * power(a.i, powers[0]) * power(a.o, powers[1]) * power(a.p, powers[2]);
+}
+
 TermList parse_terms(std::string_view text) {
   const auto word = trimmed(text);
   if (word == "linear") return linear_terms();

@@ -70,6 +70,9 @@ struct TermInfo {
 // The regressor of a term, for example Ai*Ao^2 (and |Ai|*Ai for Koq), in powers of g.
 [[nodiscard]] double regressor(Term term, const Acceleration& a) noexcept;
 
+// Its derivative along an axis; that of |Ai|*Ai is 2|Ai|.
+[[nodiscard]] double regressor_slope(Term term, const Acceleration& a, Axis axis) noexcept;
+
 using TermList = std::vector<Term>;  // canonical order, no repeats
 
 // A preset (linear, quadratic, paper, full) or a comma-separated list of names. Throws a usage Error that

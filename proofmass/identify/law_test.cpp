@@ -177,7 +177,7 @@ TEST_P(Law, DropsLostTermsAndMarksThem) {
 
 TEST_P(Law, PredictAgreesWithTheFit) {
   const Dataset record = GetParam().with_sigma ? with_sigma(test::make_twin()) : test::make_twin();
-  const IdentifyOptions options{.terms = paper_terms()};
+  const IdentifyOptions options{.terms = paper_terms(), .split = kTrainingFraction};
   const Identification result = identify(record, small(GetParam()), options).identification;
   const Dataset training = record.select(split_rows(record.rows(), {}, options.seed).training);
   const Metrics again = score(training.output, predict(result, training));

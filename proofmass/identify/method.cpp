@@ -76,6 +76,11 @@ Identification fit(const Method& method, const Dataset& training, const Dataset&
       method);
 }
 
+double training_fraction(const Method& method, const IdentifyOptions& options) {
+  if (options.split) return *options.split;
+  return options.split_by == SplitBy::mount ? kTrainingFraction : info(method).training_fraction;
+}
+
 SigmaColumns sigma_columns(const Method& method) {
   return std::visit(
       [](const auto& own) {

@@ -48,6 +48,10 @@ using Method = std::variant<Ols, Wls, Robust, Bp, PsoBp, Tls, Eiv, Hybrid, Gmdh,
 // starts.
 void require_valid_options(const Method& method);
 
+// The fraction of the rows that the method trains on: that asked for, otherwise the method's own, and less
+// than one where whole mounts are to be set aside.
+[[nodiscard]] double training_fraction(const Method& method, const IdentifyOptions& options);
+
 // The record's sigma columns that a fit goes by; none for most methods.
 [[nodiscard]] SigmaColumns sigma_columns(const Method& method);
 

@@ -47,7 +47,7 @@ void write_predictions(std::ostream& out, const Dataset& record, std::span<const
   out << fmt::format("line,part,{1}E[{0}],E_predicted[{0}],residual[{0}]\n", unit.symbol,
                      input_header(record));
   for (std::size_t row = 0; row < record.rows(); ++row) {
-    const std::size_t line = record.line.empty() ? row + 1 : record.line[row];
+    const std::size_t line = record.line_of(row);
     out << fmt::format("{},{},{}{},{},{}\n", line, word(parts[row]), input_cells(record, row),
                        to_declared(record.output[row], unit), to_declared(predicted[row], unit),
                        to_declared(record.output[row] - predicted[row], unit));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -36,12 +37,49 @@ TEST_F(IdentifyVerb, PrintsATableAndWritesTheFilesItNames) {
   const Json result = read_json("r.json");
   EXPECT_EQ(result["schema"], "proofmass.identification/1");
   EXPECT_EQ(result["model"], "paper");
-  EXPECT_EQ(result["metrics"]["train"]["n"], 210);
-  EXPECT_EQ(result["metrics"]["test"]["n"], 90);
-  EXPECT_EQ(result["provenance"]["options"]["split"], "0.7");
+  EXPECT_EQ(result["metrics"]["train"]["n"], 300);
+  EXPECT_EQ(result["metrics"]["leave_one_out"]["n"], 300);
+  EXPECT_FALSE(result["metrics"].contains("test"));
+  EXPECT_EQ(result["provenance"]["options"]["split"], "1");
   EXPECT_EQ(result["provenance"]["input_sha256"].get<std::string>().size(), 64U);
   EXPECT_EQ(cells(read("results/predictions.csv")).size(), 301U);
   EXPECT_TRUE(read("results/history.csv").starts_with("curve,iteration,value\n"));
+}
+
+// Least squares and its kin fit all rows; what sets rows aside is asked for, or is another method's default.
+TEST_F(IdentifyVerb, FitsAllRowsOrSetsSomeAside) {
+  const std::string record = make_record();
+  const auto rows = [&](const std::vector<std::string>& flags) {
+    EXPECT_EQ(
+        proofmass(std::vector<std::string>{"identify", record, "--json", at("r.json")} + flags).exit_code, 0);
+    const Json metrics = read_json("r.json")["metrics"];
+    const auto count = [&metrics](const char* part) {
+      return metrics.contains(part) ? metrics[part]["n"].get<int>() : 0;
+    };
+    return std::array{count("train"), count("test"), count("leave_one_out")};
+  };
+  EXPECT_EQ(rows({"--method", "wls"}), (std::array{300, 0, 300}));
+  EXPECT_EQ(rows({"--split", "0.8"}), (std::array{240, 60, 0}));
+  EXPECT_EQ(rows({"--method", "gmdh"}), (std::array{210, 90, 0}));
+  EXPECT_EQ(rows({"--method", "gmdh", "--split", "1"}), (std::array{300, 0, 0}));
+  expect_failure(proofmass({"identify", record, "--split-by", "mount"}), 3,
+                 {"column 'mount'", "--split-by row"});
+}
+
+TEST_F(IdentifyVerb, KeepsTheRowsOfAMountTogether) {
+  const std::string record = at("mounts.csv");
+  ASSERT_EQ(proofmass({"simulate", PROOFMASS_SOURCE_DIR "/data/mounts-24.toml", "--out", record}).exit_code,
+            0);
+  const std::vector<std::string> fit{"identify",       record, "--model", "full",
+                                     "--on-rank-loss", "drop", "--json",  at("r.json")};
+  ASSERT_EQ(proofmass(fit + std::vector<std::string>{"--split-by", "mount"}).exit_code, 0);
+  EXPECT_EQ(read_json("r.json")["metrics"]["train"]["n"], 17 * 16);
+  EXPECT_EQ(read_json("r.json")["metrics"]["test"]["n"], 7 * 16);
+  ASSERT_EQ(proofmass(fit).exit_code, 0);
+  const Json metrics = read_json("r.json")["metrics"];
+  EXPECT_EQ(metrics["leave_one_out"]["n"], 384);
+  EXPECT_GT(metrics["leave_one_mount_out"]["n"], 0);
+  EXPECT_GT(metrics["leave_one_out"]["rmse"], metrics["train"]["rmse"]);
 }
 
 TEST_F(IdentifyVerb, GivesTheSameBytesForAnyNumberOfThreads) {

@@ -28,8 +28,8 @@ TestRows test_rows(const std::vector<std::vector<std::string>>& table) {
 TEST_F(PredictVerb, RepeatsTheFitsOwnTestPredictionsToTheLastBit) {
   const std::string record = make_record();
   for (const Method& method : methods()) {
-    std::vector<std::string> command{"identify", record,       "--method", std::string(info(method).name),
-                                     "--out",    at("results")};
+    std::vector<std::string> command{"identify", record, "--method", std::string(info(method).name),
+                                     "--split",  "0.7",  "--out",    at("results")};
     const std::vector<std::string> quick = test::quick_flags(info(method).name);
     command.insert(command.end(), quick.begin(), quick.end());
     const Outcome fit = proofmass(command);

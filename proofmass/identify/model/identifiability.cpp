@@ -132,9 +132,7 @@ void require_rows_up_to(double limit, const Dataset& record, const std::vector<d
                         std::string_view column) {
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (std::abs(values[row]) <= limit) continue;
-    throw bad_data({.file = record.source,
-                    .row = record.line.empty() ? row + 1 : record.line[row],
-                    .column = std::string(column)},
+    throw bad_data({.file = record.source, .row = record.line_of(row), .column = std::string(column)},
                    fmt::format("{}", values[row]), fmt::format("a value of at most {:.0g} in size", limit));
   }
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 #include "proofmass/core/term.hpp"
@@ -16,22 +17,32 @@ enum class RankLossPolicy { refuse, drop };
 inline constexpr std::array kRankLossWords{Word<RankLossPolicy>{"refuse", RankLossPolicy::refuse},
                                            Word<RankLossPolicy>{"drop", RankLossPolicy::drop}};
 
+enum class SplitBy { row, mount };
+inline constexpr std::array kSplitByWords{Word<SplitBy>{"row", SplitBy::row},
+                                          Word<SplitBy>{"mount", SplitBy::mount}};
+
 // What every method takes.
 struct IdentifyOptions {
   TermList terms = paper_terms();
   RankLossPolicy on_rank_loss = RankLossPolicy::refuse;
   std::uint64_t seed = 1;
-  double split = 0.7;
+  std::optional<double> split{};
+  SplitBy split_by = SplitBy::row;
 
-  static constexpr auto fields =
-      std::tuple{field("on-rank-loss", &IdentifyOptions::on_rank_loss,
-                       "what to do about terms that the data cannot separate", kRankLossWords,
-                       {.place = "ols.md#terms-that-cannot-be-separated"}),
-                 field("seed", &IdentifyOptions::seed, "seed of the split and of all random draws",
-                       whole(0, std::numeric_limits<std::uint64_t>::max()), {.place = "numerics.md"}),
-                 field("split", &IdentifyOptions::split,
-                       "fraction of the rows to train on, the rest are for testing; 1 fits all rows",
-                       above(0.0, 1.0), {.place = "commands.md#identify"})};
+  static constexpr auto fields = std::tuple{
+      field("on-rank-loss", &IdentifyOptions::on_rank_loss,
+            "what to do about terms that the data cannot separate", kRankLossWords,
+            {.place = "ols.md#terms-that-cannot-be-separated"}),
+      field("seed", &IdentifyOptions::seed, "seed of the split and of all random draws",
+            whole(0, std::numeric_limits<std::uint64_t>::max()), {.place = "numerics.md"}),
+      field("split", &IdentifyOptions::split,
+            "fraction of the rows to train on, the rest are for testing; 1 fits all rows, which is "
+            "the default of ols, wls, robust, tls and eiv; 0.7 that of the others, and of compare",
+            above(0.0, 1.0), {.place = "commands.md#which-rows-are-fitted", .absent = "default"}),
+      field("split-by", &IdentifyOptions::split_by,
+            "whether rows are drawn one by one, or all rows of a mount together (with a split of 0.7 "
+            "where none is given)",
+            kSplitByWords, {.place = "commands.md#which-rows-are-fitted"})};
 };
 
 }  // namespace proofmass

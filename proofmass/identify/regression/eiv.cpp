@@ -128,6 +128,7 @@ Identification fit(const Eiv& method, const Dataset& training, const IdentifyOpt
   add_residual_figures(result.diagnostics, training, residual_square_sum(training, result.static_model()),
                        found.identified.size());
   result.diagnostics.iterations = fit.iterations;
+  result.row_weights = {.values = effective_weights(sigmas, result.static_model(), training), .fixed = false};
   result.findings.insert(result.findings.end(), sigmas.findings.begin(), sigmas.findings.end());
   result.findings.push_back(explain_standard_errors(method.uncertainty.scaling, ratio));
   result.findings.push_back({.code = Code::independent_errors_assumed});

@@ -27,7 +27,8 @@ struct Eiv {
   static constexpr MethodInfo info{
       .name = "eiv",
       .summary = "errors in variables: true accelerations found along with the coefficients",
-      .page = "eiv.md"};
+      .page = "eiv.md",
+      .training_fraction = 1.0};
   static constexpr auto fields = std::tuple{
       group(&Eiv::uncertainty, UncertaintyOptions::fields),
       field("eiv-iterations", &Eiv::iterations, "iterations, at most", whole(1), {.place = "eiv.md#how"})};

@@ -15,8 +15,10 @@ namespace proofmass {
 // Ordinary least squares on the terms asked for (docs/ols.md). Covariance s² (XᵀX)⁻¹ with s² = RSS / (n -
 // terms): right when the output's noise is white and alike in every row and the inputs are exact.
 struct Ols {
-  static constexpr MethodInfo info{
-      .name = "ols", .summary = "ordinary least squares on the terms of the static model", .page = "ols.md"};
+  static constexpr MethodInfo info{.name = "ols",
+                                   .summary = "ordinary least squares on the terms of the static model",
+                                   .page = "ols.md",
+                                   .training_fraction = 1.0};
   static constexpr std::tuple<> fields{};
 };
 

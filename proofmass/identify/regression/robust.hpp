@@ -31,7 +31,8 @@ struct Robust {
 
   static constexpr MethodInfo info{.name = "robust",
                                    .summary = "M-estimation that holds outliers down and lists them",
-                                   .page = "robust.md"};
+                                   .page = "robust.md",
+                                   .training_fraction = 1.0};
   static constexpr auto fields = std::tuple{
       field("loss", &Robust::loss, "loss function", kLossWords, {.place = "robust.md#which-loss"}),
       field("tuning", &Robust::tuning,

@@ -25,7 +25,8 @@ struct Tls {
   static constexpr MethodInfo info{
       .name = "tls",
       .summary = "mixed least squares and total least squares; a reference, biased for powers",
-      .page = "tls.md"};
+      .page = "tls.md",
+      .training_fraction = 1.0};
   static constexpr auto fields = std::tuple{group(&Tls::uncertainty, UncertaintyOptions::fields)};
 };
 

@@ -64,12 +64,11 @@ void require_usable_column(const Dataset& record, const std::vector<double>& sig
                            bool zero_is_exact, const Remedy& remedy) {
   for (std::size_t row = 0; row < sigma.size(); ++row) {
     if (in_range(sigma[row]) || (zero_is_exact && sigma[row] == 0.0)) continue;
-    throw bad_data(
-        {.file = record.source, .row = record.line.empty() ? row + 1 : record.line[row], .column = column},
-        fmt::format("{}", sigma[row]),
-        zero_is_exact ? "a standard uncertainty of 1e-30 to 1e30, or zero"
-                      : "a standard uncertainty above zero, of 1e-30 to 1e30",
-        {remedy});
+    throw bad_data({.file = record.source, .row = record.line_of(row), .column = column},
+                   fmt::format("{}", sigma[row]),
+                   zero_is_exact ? "a standard uncertainty of 1e-30 to 1e30, or zero"
+                                 : "a standard uncertainty above zero, of 1e-30 to 1e30",
+                   {remedy});
   }
 }
 
@@ -131,6 +130,23 @@ Uncertainties find_uncertainties(std::string_view method, const Dataset& data, c
     found.output = data.output_sigma;
   }
   return found;
+}
+
+std::vector<double> effective_weights(const Uncertainties& sigmas, const StaticModel& model,
+                                      const Dataset& data) {
+  std::vector<double> weights;
+  weights.reserve(data.rows());
+  for (std::size_t row = 0; row < data.rows(); ++row) {
+    double variance = sigmas.output[row] * sigmas.output[row];
+    for (const Axis axis : data.axes()) {
+      const auto& sigma = sigmas.input[static_cast<std::size_t>(axis)];
+      if (sigma.empty()) continue;
+      const double part = model.slope(data.at(row), axis) * sigma[row];
+      variance += part * part;
+    }
+    weights.push_back(1.0 / variance);
+  }
+  return weights;
 }
 
 Finding explain_standard_errors(ChiSquareScaling scaling, double ratio) {

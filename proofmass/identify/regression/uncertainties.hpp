@@ -8,6 +8,7 @@
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/finding.hpp"
+#include "proofmass/core/static_model.hpp"
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/regression/uncertainty_options.hpp"
 
@@ -33,6 +34,10 @@ struct Uncertainties {
                                                const TermList& terms,
                                                const std::vector<double>& least_squares,
                                                const UncertaintyOptions& options);
+
+// 1 / (sigma_E² + sum over the axes of (dE/dA sigma_A)²) of each row: its weight to first order.
+[[nodiscard]] std::vector<double> effective_weights(const Uncertainties& sigmas, const StaticModel& model,
+                                                    const Dataset& data);
 
 // How standard errors of these methods go by the uncertainties. `ratio` is the residual variance over that
 // which the uncertainties lead to expect.

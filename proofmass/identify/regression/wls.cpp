@@ -23,9 +23,6 @@
 namespace proofmass {
 namespace {
 
-// Standard deviations of chi²/dof, sqrt(2/dof), beyond which a note doubts the sigmas.
-constexpr double kDoubt = 4.0;
-
 // A weighted fit, the variance that turns its unscaled covariance into the covariance, and what to say.
 struct Weighted {
   std::vector<double> coefficients;
@@ -36,6 +33,7 @@ struct Weighted {
   Ending ending;
   std::vector<Finding> findings;
   std::optional<std::size_t> iterations;  // of the variance model
+  RowWeights row_weights;
 };
 
 // 1 / sigma_E², that of the first row being one.
@@ -61,10 +59,6 @@ void add_chi_square_findings(std::vector<Finding>& findings, double ratio, doubl
     findings.push_back({.code = Code::sigma_output_scaled,
                         .figures = {{"ratio", ratio}, {"spread", spread}, {"factor", 1.0 / factor}}});
   }
-  if (std::abs(ratio - 1.0) <= kDoubt * spread) return;
-  findings.push_back({.code = ratio > 1.0 ? Code::sigma_output_too_small : Code::sigma_output_too_large,
-                      .severity = Severity::warning,
-                      .figures = {{"ratio", ratio}}});
 }
 
 // `counted`: the rows with weight.
@@ -74,11 +68,12 @@ Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<d
   // The variance that weight 1 stands for.
   const double unit_variance = training.output_sigma.front() * training.output_sigma.front();
   const TermRows rows = sums.rows(terms);
-  const WeightedRows weighted(rows, std::move(weights));
+  const WeightedRows weighted(rows, weights);
   NormalSolution solution = solve_normal_equations(sums.weighted_gram(terms), weighted);
   const auto dof = static_cast<double>(counted - terms.size());
   const double ratio = solution.rss / dof / unit_variance;
   Weighted result;
+  result.row_weights = {.values = std::move(weights), .fixed = true};
   result.rows = counted;
   result.rss = residual_sum_of_squares(sums.gram(terms), rows, solution.coefficients);
   result.coefficients = std::move(solution.coefficients);
@@ -118,8 +113,9 @@ std::string axes_text(const Dataset& training) {
 
 Weighted fit_by_model(const TermSums& sums, const TermList& terms, const Wls& options) {
   const Dataset& training = sums.data();
-  GrowingVarianceFit fit = fit_growing_variance(sums.rows(terms), squared_magnitudes(training),
-                                                {.iterations = options.iterations});
+  std::vector<double> weights = squared_magnitudes(training);
+  GrowingVarianceFit fit =
+      fit_growing_variance(sums.rows(terms), weights, {.iterations = options.iterations});
   Weighted result;
   result.rows = training.rows();
   result.findings.push_back({.code = Code::weights_from_model,
@@ -131,6 +127,8 @@ Weighted fit_by_model(const TermSums& sums, const TermList& terms, const Wls& op
   if (fit.slope == 0.0) result.findings.push_back({.code = Code::variance_does_not_grow});
   result.iterations = fit.iterations;
   result.variance = fit.variance;
+  for (double& w : weights) w = 1.0 / (fit.base + fit.slope * w);
+  result.row_weights = {.values = std::move(weights), .fixed = false};
   result.ending = ending_of(std::move(fit.termination));
   result.coefficients = std::move(fit.fit.coefficients);
   result.unscaled_covariance = std::move(fit.fit.unscaled_covariance);
@@ -194,6 +192,7 @@ Identification fit(const Wls& method, const Dataset& training, const IdentifyOpt
   result.findings.push_back({.code = Code::weighted_noise_assumed});
   if (!by_sigma) note_unused_sigma(result, training);
   result.diagnostics.iterations = weighted.iterations;
+  result.row_weights = std::move(weighted.row_weights);
   result.ending = std::move(weighted.ending);
   progress.update("weighted least squares", 1, 1);
   return result;

@@ -35,7 +35,8 @@ struct Wls {
   static constexpr MethodInfo info{
       .name = "wls",
       .summary = "least squares weighted by sigma_E, or by noise found to grow with |A|",
-      .page = "wls.md"};
+      .page = "wls.md",
+      .training_fraction = 1.0};
   static constexpr auto fields = std::tuple{
       field("weights", &Wls::weights,
             "weights by sigma_E when there is one, by sigma_E, or by a model of noise that grows with |A|",

@@ -30,9 +30,9 @@ Json json_of(const Finding& finding) {
 
 Finding finding_of(const JsonNode& node) {
   Finding finding;
-  const std::string severity = node.at("severity").text();
-  if (severity != "note" && severity != "warning") node.at("severity").fail("note or warning");
-  if (severity == "warning") finding.severity = Severity::warning;
+  const auto severity = find_severity(node.at("severity").text());
+  if (!severity) node.at("severity").fail("basis, note or warning");
+  finding.severity = *severity;
   if (const auto terms = node.find("terms")) {
     for (const JsonNode& item : terms->items()) {
       const auto term = find_term(item.text());

@@ -389,7 +389,7 @@ TEST(Json, NamesTheKeyThatIsWrong) {
   EXPECT_NE(broken("/covariance", Json::array({1})).find("'covariance'"), std::string::npos);
   EXPECT_NE(broken("/units/output", "furlong").find("'units.output'"), std::string::npos);
   EXPECT_EQ(broken("/findings/1/severity", "grave"),
-            "r.json: key 'findings[1].severity': found \"grave\", expected note or warning");
+            "r.json: key 'findings[1].severity': found \"grave\", expected basis, note or warning");
   EXPECT_EQ(broken("/findings/0/terms/1", "Kxx"),
             "r.json: key 'findings[0].terms[1]': found \"Kxx\", expected the name of a term");
   EXPECT_NE(broken("/findings/1/lines/0", -1).find("'findings[1].lines[0]'"), std::string::npos);

@@ -67,6 +67,8 @@ Json metrics_of(const Identification& result) {
   if (result.train) json["train"] = json_of(*result.train);
   if (result.validation) json["validation"] = json_of(*result.validation);
   if (result.test) json["test"] = json_of(*result.test);
+  if (result.leave_one_out) json["leave_one_out"] = json_of(*result.leave_one_out);
+  if (result.leave_one_mount_out) json["leave_one_mount_out"] = json_of(*result.leave_one_mount_out);
   return json;
 }
 

@@ -125,6 +125,18 @@ struct Occurrence {
   std::size_t repeats = 0;
 };
 
+std::string_view heading_of(Severity severity) {
+  switch (severity) {
+    case Severity::warning:
+      return "Warnings on";
+    case Severity::note:
+      return "Notes on";
+    case Severity::basis:
+      return "Basis of";
+  }
+  return "";
+}
+
 void write_method_findings(TerminalText& out, const Contestant& contestant, Severity severity) {
   std::vector<Occurrence> said;
   for (const Run& run : contestant.runs) {
@@ -140,8 +152,7 @@ void write_method_findings(TerminalText& out, const Contestant& contestant, Seve
     }
   }
   if (said.empty()) return;
-  out.heading(
-      fmt::format("{} on {}", severity == Severity::warning ? "Warnings" : "Notes", contestant.method));
+  out.heading(fmt::format("{} {}", heading_of(severity), contestant.method));
   for (const Occurrence& occurrence : said) {
     const bool always = occurrence.repeats == contestant.runs.size();
     write_finding(
@@ -166,6 +177,7 @@ std::string render_comparison(const Comparison& comparison, const TerminalStyle&
   write_costs(out, comparison);
   write_truth(out, comparison);
   write_all_findings(out, comparison, Severity::note);
+  write_all_findings(out, comparison, Severity::basis);
   return out.text();
 }
 

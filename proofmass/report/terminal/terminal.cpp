@@ -80,6 +80,7 @@ void write_mape_rows(TerminalText& out, const Identification& result) {
   add("training", result.train);
   add("validation", result.validation);
   add("test", result.test);
+  add("left-out", result.leave_one_out);
   if (parts.empty()) return;
   out.line(fmt::format("MAPE leaves out outputs below {:g} % of their range: it is over {}",
                        100.0 * kMapeFloor, parts));
@@ -96,6 +97,8 @@ void write_metrics(TerminalText& out, const Identification& result) {
   add("train", result.train);
   add("validation", result.validation);
   add("test", result.test);
+  add("leave one out", result.leave_one_out);
+  add("leave one mount out", result.leave_one_mount_out);
   out.heading(fmt::format("Errors, in {}", result.output_unit.symbol));
   out.table(table);
   write_mape_rows(out, result);
@@ -209,6 +212,7 @@ std::string render_table(const Identification& result, const TerminalStyle& styl
   out.line(result.ending.reason);
   write_diagnostics(out, result);
   write_findings(out, result.findings, Severity::note);
+  write_findings(out, result.findings, Severity::basis);
   return out.text();
 }
 

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "proofmass/report/text/en_diagnosis.hpp"
 #include "proofmass/report/text/sentence.hpp"
 
 namespace proofmass {
@@ -77,6 +78,18 @@ std::string_view sentence(Code code) noexcept {
       return "the test error ({test:.3g} {unit}) is {ratio:.3g} times the training error ({train:.3g} "
              "{unit}): the model does not generalise. Check that test and training rows cover the same "
              "mounts and levels";
+    case Code::left_out_exactly:
+      return "all rows are fitted; the errors under leave-one-out are those of each row predicted by the fit "
+             "to the others (exact)";
+    case Code::left_out_in_one_step:
+      return "all rows are fitted; the errors under leave-one-out are those of each row predicted by the fit "
+             "to the others (in one step from the fit to all, with the weights of the rows held)";
+    case Code::rows_not_left_out:
+      return "{count:.0f} of {total:.0f} rows cannot be left out: without each of them the others do not "
+             "determine the coefficients";
+    case Code::mounts_not_left_out:
+      return "{count:.0f} of {total:.0f} mounts cannot be left out: without each of them the others do not "
+             "determine the coefficients";
     case Code::weights_from_sigma:
       return "weights are 1 / sigma_E² from the record";
     case Code::weights_from_model:
@@ -96,10 +109,11 @@ std::string_view sentence(Code code) noexcept {
              "scaled by it; with sigma_E as it is they would be {factor:.5g} times as large";
     case Code::sigma_output_too_small:
       return "the residuals are larger than sigma_E allows (chi²/dof {ratio:.5g}): sigma_E is too small, the "
-             "model lacks terms, or there are outliers. The standard errors are then too small";
+             "model lacks terms, or there are outliers. Standard errors that go by sigma_E are then too "
+             "small";
     case Code::sigma_output_too_large:
       return "the residuals are smaller than sigma_E says (chi²/dof {ratio:.5g}): sigma_E is too large, and "
-             "so are the standard errors";
+             "so are standard errors that go by it";
     case Code::rows_without_weight:
       return "{count:.0f} of {total:.0f} rows have no weight beside the others, because their sigma_E is so "
              "much larger: they do not count as degrees of freedom";
@@ -211,6 +225,26 @@ std::string_view sentence(Code code) noexcept {
     case Code::hidden_choice_ignored:
       return "standard errors assume exact inputs and white noise of one variance, and ignore that the "
              "number of hidden units was chosen on the same rows";
+    case Code::inputs_in_other_unit:
+    case Code::output_clipped:
+    case Code::output_held:
+    case Code::output_wrapped:
+    case Code::rows_duplicated:
+    case Code::time_backwards:
+    case Code::time_standing:
+    case Code::scale_factor_negative:
+    case Code::scale_factor_unlike_one:
+    case Code::cross_axis_larger:
+    case Code::few_degrees_of_freedom:
+    case Code::gross_misfit:
+    case Code::model_too_short:
+    case Code::residuals_follow_time:
+    case Code::residuals_follow_temperature:
+    case Code::residuals_follow_order:
+    case Code::residuals_follow_mount:
+    case Code::residuals_correlated:
+    case Code::sigma_inputs_unused:
+      return english_diagnosis(code);
     case Code::inputs_outside_range:
       return "{count:.0f} of {total:.0f} rows lie outside the range that the result was identified on "
              "(first: line {line:.0f}): the prediction is an extrapolation there";
@@ -240,7 +274,7 @@ std::string_view phrase(std::string_view figure, std::string_view word) noexcept
     if (word == "default") return "by default";
     if (word == "estimated") return "estimated";
   }
-  return {};
+  return english_diagnosis_phrase(figure, word);
 }
 
 }  // namespace

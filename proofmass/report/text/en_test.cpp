@@ -58,11 +58,30 @@ Finding with_every_figure(Code code) {
                              "with",
                              "without",
                              "over_shortest_half",
-                             "quantile_ratio"}) {
+                             "quantile_ratio",
+                             "largest",
+                             "repeats",
+                             "longest",
+                             "last",
+                             "bits",
+                             "turn",
+                             "below",
+                             "above",
+                             "percent",
+                             "original",
+                             "ki",
+                             "dof",
+                             "r2",
+                             "errors",
+                             "change",
+                             "mean",
+                             "correlation",
+                             "shift"}) {
     finding.figures.emplace_back(number, 2.0);
   }
-  for (const char* word : {"axes", "column", "columns", "encoding", "criterion", "inflated", "method",
-                           "named", "origin", "plan", "product", "text", "unit"}) {
+  for (const char* word :
+       {"axes", "column", "columns", "encoding", "criterion", "inflated", "method", "named", "origin", "read",
+        "written", "which", "hint", "reason", "mount", "plan", "product", "text", "unit"}) {
     finding.figures.emplace_back(word, "<" + std::string(word) + ">");
   }
   return finding;

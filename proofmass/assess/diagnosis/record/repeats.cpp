@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/assess/repeats.hpp"
+#include "proofmass/assess/diagnosis/record/repeats.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -35,19 +35,23 @@ bool equal(Columns columns, std::size_t a, std::size_t b) noexcept {
 
 // Rows go into a hash table with open addressing, at most two thirds full; unlike sorting it takes one look
 // at each row, however many are equal.
-std::size_t count_repeats(std::size_t rows, Columns columns) {
+std::vector<std::size_t> earlier_equals(std::size_t rows, Columns columns) {
   std::vector<std::size_t> table(std::bit_ceil(rows + rows / 2 + 1), rows);  // `rows` means a free place
   const std::size_t mask = table.size() - 1;
-  std::size_t repeats = 0;
+  std::vector<std::size_t> earlier(rows);
   for (std::size_t row = 0; row < rows; ++row) {
     std::size_t place = hash_of(columns, row) & mask;
     while (table[place] != rows && !equal(columns, table[place], row)) place = (place + 1) & mask;
-    if (table[place] == rows) {
-      table[place] = row;
-    } else {
-      ++repeats;
-    }
+    earlier[row] = table[place] == rows ? row : table[place];
+    table[place] = row;
   }
+  return earlier;
+}
+
+std::size_t count_repeats(std::size_t rows, Columns columns) {
+  const std::vector<std::size_t> earlier = earlier_equals(rows, columns);
+  std::size_t repeats = 0;
+  for (std::size_t row = 0; row < rows; ++row) repeats += static_cast<std::size_t>(earlier[row] != row);
   return repeats;
 }
 

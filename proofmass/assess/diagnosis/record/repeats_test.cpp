@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/assess/repeats.hpp"
+#include "proofmass/assess/diagnosis/record/repeats.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

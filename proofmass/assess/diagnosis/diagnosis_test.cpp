@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults put into clean records, and what is said of each; scripts/false-alarms.sh counts what is said of
+// records without fault.
+#include "proofmass/assess/diagnosis/diagnosis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "proofmass/numeric/random.hpp"
+#include "proofmass/pipeline.hpp"
+#include "support/findings.hpp"
+#include "support/twin.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr double kNoise = 1e-5;  // g
+
+// 300 rows in random directions, 1 to 20 g, with a clock, a steady room, six mounts and right uncertainties.
+Dataset clean_record(std::uint64_t seed = 3) {
+  Dataset record = test::make_twin({.noise = kNoise, .seed = seed});
+  RandomStream random(seed, stream_id("room"));
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    record.time.push_back(5.0 * static_cast<double>(row));
+    record.temperature.push_back(22.0 + 0.1 * random.normal());
+    record.mount.push_back("P" + std::to_string(random.index(6)));
+    record.output_sigma.push_back(kNoise);
+    record.line.push_back(row + 2);
+  }
+  return record;
+}
+
+Run diagnosed(const Dataset& record, const Method& method = Ols{}, const TermList& terms = paper_terms()) {
+  return identify(record, method, {.terms = terms, .on_rank_loss = RankLossPolicy::drop});
+}
+
+std::vector<Code> warnings(const Identification& result) {
+  std::vector<Code> codes;
+  for (const Finding& finding : result.findings) {
+    if (finding.severity == Severity::warning) codes.push_back(finding.code);
+  }
+  return codes;
+}
+
+struct Fault {
+  Code code;
+  std::string name;
+  std::function<void(Dataset&)> put_into;
+  TermList terms = paper_terms();
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+std::string name_of(const testing::TestParamInfo<Fault>& info) {
+  return std::string(to_string(info.param.code)) + "_" + info.param.name;
+}
+
+class Diagnosis : public testing::TestWithParam<Fault> {};
+
+TEST_P(Diagnosis, SaysWhatIsWrongAndNothingOfACleanRecord) {
+  for (const std::uint64_t seed : {3U, 4U, 5U}) {
+    Dataset record = clean_record(seed);
+    EXPECT_EQ(warnings(diagnosed(record).identification), std::vector<Code>()) << seed;
+    GetParam().put_into(record);
+    const Identification result = diagnosed(record, Ols{}, GetParam().terms).identification;
+    EXPECT_TRUE(test::has(result, GetParam().code)) << seed;
+    EXPECT_EQ(test::finding_of(result, GetParam().code).severity, Severity::warning) << seed;
+  }
+}
+
+// In 1 g: a dividing head that turns about one axis, then another.
+void tumble(Dataset& record, double one_g) {
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const double angle = 0.1 * static_cast<double>(row);
+    const bool about_pa = row % 2 == 0;
+    const Acceleration a{
+        .i = std::cos(angle), .o = about_pa ? std::sin(angle) : 0.0, .p = about_pa ? 0.0 : std::sin(angle)};
+    record.output[row] = 0.01 + a.i + 1e-4 * a.o;
+    for (const Axis axis : kAxes) {
+      const double along = axis == Axis::input ? a.i : axis == Axis::output ? a.o : a.p;
+      record.acceleration[static_cast<std::size_t>(axis)][row] = one_g * along;
+    }
+  }
+}
+
+void to_counts(Dataset& record, double per_g) {
+  record.output_unit = find_unit("counts").value();
+  record.output_sigma.clear();
+  for (double& e : record.output) e = std::nearbyint(per_g * e);
+}
+
+void clip(Dataset& record, double limit) {
+  for (double& e : record.output) e = std::clamp(e, -limit, limit);
+}
+
+template <typename Function>
+void add_to_output(Dataset& record, const Function& function) {
+  for (std::size_t row = 0; row < record.rows(); ++row) record.output[row] += function(row);
+}
+
+void wander(Dataset& record) {
+  RandomStream random(9, stream_id("wander"));
+  double state = 0.0;
+  add_to_output(record, [&](std::size_t) { return state = 0.5 * state + 2.0 * kNoise * random.normal(); });
+}
+
+void repeat_rows(Dataset& record) {
+  std::vector<std::size_t> rows(record.rows());
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = row < 280 ? row : row - 200;
+  record = record.select(rows);
+}
+
+void shift_outputs(Dataset& record) {
+  std::rotate(record.output.begin(), record.output.begin() + 2, record.output.end());
+}
+
+void as_angles(Dataset& record) {
+  RandomStream random(7, stream_id("angles"));
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const double degrees = 15.0 * static_cast<double>(random.index(24));
+    record.acceleration[0][row] = degrees;
+    record.output[row] = 1.25 * std::cos(degrees * std::numbers::pi / 180.0) + kNoise * random.normal();
+  }
+  record.acceleration[1].clear();
+  record.acceleration[2].clear();
+}
+
+std::vector<Fault> faults() {
+  const auto scale = [](double factor) {
+    return [factor](Dataset& r) {
+      for (double& e : r.output) e *= factor;
+      for (double& s : r.output_sigma) s *= std::abs(factor);
+    };
+  };
+  const auto drop_sigma = [](Dataset& r) { r.output_sigma.clear(); };
+  return {
+      {Code::inputs_in_other_unit, "si_in_g", [](Dataset& r) { tumble(r, kStandardGravity); },
+       linear_terms()},
+      {Code::inputs_in_other_unit, "g_in_si",
+       [](Dataset& r) {
+         r.acceleration_unit = find_unit("m/s^2").value();
+         tumble(r, 1.0 / kStandardGravity);
+       },
+       linear_terms()},
+      {Code::output_clipped, "both", [](Dataset& r) { clip(r, 14.0); }},
+      {Code::output_clipped, "coarse",
+       [](Dataset& r) {
+         to_counts(r, 100.0);
+         clip(r, 1500.0);
+       }},
+      {Code::output_held, "stuck", [](Dataset& r) { std::fill_n(r.output.begin() + 40, 8, r.output[40]); }},
+      {Code::output_held, "pairs",
+       [](Dataset& r) {
+         for (std::size_t row = 1; row < r.rows(); row += 2) r.output[row] = r.output[row - 1];
+       }},
+      {Code::output_wrapped, "unsigned_16_bits",
+       [](Dataset& r) {
+         to_counts(r, 1500.0);
+         for (double& e : r.output) e += e < 0.0 ? 65'536.0 : 0.0;
+       }},
+      {Code::output_wrapped, "unsigned_24_bits",
+       [](Dataset& r) {
+         to_counts(r, 300'000.0);
+         for (double& e : r.output) e += e < 0.0 ? 16'777'216.0 : 0.0;
+       }},
+      {Code::rows_duplicated, "block", repeat_rows},
+      {Code::time_backwards, "once", [](Dataset& r) { r.time[100] = 1.0; }},
+      {Code::time_standing, "stopped",
+       [](Dataset& r) { std::fill(r.time.begin() + 200, r.time.end(), 1000.0); }},
+      {Code::time_standing, "twice", [](Dataset& r) { r.time[100] = r.time[99]; }},
+      {Code::scale_factor_negative, "any", scale(-1.0)},
+      {Code::scale_factor_unlike_one, "milli", scale(1000.0)},
+      {Code::cross_axis_larger, "swapped",
+       [](Dataset& r) { std::swap(r.acceleration[0], r.acceleration[2]); }},
+      {Code::few_degrees_of_freedom, "three",
+       [](Dataset& r) {
+         std::vector<std::size_t> rows(18);
+         for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = row;
+         r = r.select(rows);
+       }},
+      {Code::gross_misfit, "shifted", shift_outputs},
+      {Code::gross_misfit, "angles", as_angles, {Term::K0, Term::Ki}},
+      {Code::model_too_short, "linear", drop_sigma, linear_terms()},
+      {Code::model_too_short, "quadratic", drop_sigma, quadratic_terms()},
+      {Code::residuals_follow_time, "drift",
+       [](Dataset& r) { add_to_output(r, [&](std::size_t row) { return 2e-8 * r.time[row]; }); }},
+      {Code::residuals_follow_time, "warm_up",
+       [](Dataset& r) {
+         add_to_output(r, [&](std::size_t row) { return 5e-5 * std::exp(-r.time[row] / 200.0); });
+       }},
+      {Code::residuals_follow_temperature, "slope",
+       [](Dataset& r) {
+         add_to_output(r, [&](std::size_t row) { return 5e-5 * (r.temperature[row] - 22.0); });
+       }},
+      {Code::residuals_follow_order, "drift",
+       [](Dataset& r) {
+         r.time.clear();
+         add_to_output(r, [](std::size_t row) { return 1e-7 * static_cast<double>(row); });
+       }},
+      {Code::residuals_follow_mount, "one",
+       [](Dataset& r) {
+         add_to_output(r, [&](std::size_t row) { return r.mount[row] == "P2" ? 2.0 * kNoise : 0.0; });
+       }},
+      {Code::residuals_correlated, "wanders", wander},
+      {Code::sigma_output_too_small, "by_0_7",
+       [](Dataset& r) {
+         for (double& s : r.output_sigma) s *= 0.7;
+       }},
+      {Code::sigma_output_too_large, "by_1_4",
+       [](Dataset& r) {
+         for (double& s : r.output_sigma) s *= 1.4;
+       }},
+      {Code::sigma_inputs_unused, "one_axis",
+       [](Dataset& r) { r.acceleration_sigma[0].assign(r.rows(), kNoise); }},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, Diagnosis, testing::ValuesIn(faults()), name_of);
+
+TEST(DiagnosisOfMisfit, NamesTheLikeliestReason) {
+  const auto reason = [](const std::function<void(Dataset&)>& put_into, const TermList& terms) {
+    Dataset record = clean_record();
+    put_into(record);
+    return test::word(test::finding_of(diagnosed(record, Ols{}, terms).identification, Code::gross_misfit),
+                      "reason");
+  };
+  EXPECT_EQ(reason(shift_outputs, paper_terms()), "shifted");
+  EXPECT_EQ(reason(as_angles, {Term::K0, Term::Ki}), "angles");
+  EXPECT_EQ(reason([](Dataset&) {}, {Term::K0, Term::Ko}), "terms");
+  EXPECT_EQ(reason([](Dataset& r) { std::sort(r.output.begin(), r.output.end()); }, paper_terms()),
+            "unrelated");
+  EXPECT_EQ(reason([](Dataset& r) { r.output[7] = 400.0; }, paper_terms()), "rows");
+}
+
+TEST(DiagnosisOfClipping, NamesTheLines) {
+  Dataset record = clean_record();
+  const auto largest = std::max_element(record.output.begin(), record.output.end());
+  const auto at = static_cast<std::size_t>(largest - record.output.begin());
+  record.output[at] = 15.0;
+  clip(record, 15.0);
+  const Identification result = diagnosed(record).identification;
+  const Finding& finding = test::finding_of(result, Code::output_clipped);
+  EXPECT_EQ(test::number(finding, "count"),
+            static_cast<double>(
+                std::count(record.output.begin(), record.output.end(), test::number(finding, "value"))));
+  for (const std::size_t line : finding.lines) EXPECT_EQ(std::abs(record.output[line - 2]), 15.0) << line;
+}
+
+// Sizes and significances, of a drift that is known.
+TEST(DiagnosisOfDrift, SaysHowLargeItIs) {
+  Dataset record = clean_record();
+  const double last = record.time.back();
+  add_to_output(record, [&](std::size_t row) { return 1e-3 * record.time[row] / last; });
+  const Identification result = diagnosed(record).identification;
+  const Finding& finding = test::finding_of(result, Code::residuals_follow_time);
+  EXPECT_NEAR(test::number(finding, "change"), 1e-3, 1e-5);
+  EXPECT_GT(test::number(finding, "errors"), 50.0);
+}
+
+TEST(DiagnosisOfRecord, TakesRepeatedReadingsOfACounterForWhatTheyAre) {
+  RandomStream random(5, stream_id("readings"));
+  Dataset record;
+  record.output_unit = find_unit("counts").value();
+  for (std::size_t row = 0; row < 240; ++row) {
+    const double angle = static_cast<double>(row / 10) * std::numbers::pi / 12.0;
+    record.acceleration[0].push_back(std::cos(angle));
+    record.acceleration[1].push_back(std::sin(angle));
+    record.output.push_back(std::nearbyint(16'000.0 * std::cos(angle) + 0.7 * random.normal()));
+    record.time.push_back(static_cast<double>(row / 4));  // a clock of seconds, four readings a second
+  }
+  EXPECT_TRUE(diagnose_record(record).empty());
+  EXPECT_EQ(warnings(diagnosed(record, Ols{}, {Term::K0, Term::Ki, Term::Ko}).identification),
+            std::vector<Code>());
+}
+
+// The same stage after every method.
+TEST(DiagnosisOfMethods, SeesADriftWhateverTheMethod) {
+  Dataset record = clean_record();
+  add_to_output(record, [&](std::size_t row) { return 1e-7 * record.time[row]; });
+  const UncertaintyOptions uncertainty{.input = 1e-7, .output = kNoise};
+  for (const Method& method :
+       {Method(Ols{}), Method(Wls{}), Method(Robust{}), Method(Tls{.uncertainty = uncertainty}),
+        Method(Eiv{.uncertainty = uncertainty}), Method(Gmdh{}), Method(Hybrid{})}) {
+    EXPECT_TRUE(test::has(diagnosed(record, method).identification, Code::residuals_follow_time))
+        << info(method).name;
+  }
+}
+
+}  // namespace
+}  // namespace proofmass

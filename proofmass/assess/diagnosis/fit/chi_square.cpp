@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/assess/diagnosis/fit/chi_square.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "proofmass/numeric/regression/robust_loss.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr double kDoubt = 4.5;              // standard errors of the ratio
+constexpr double kFar = 0.1;                // of the ratio from one
+constexpr double kMedianEfficiency = 0.37;  // of the scale by the median of normal residuals
+constexpr double kInputsMatter = 0.25;      // of the residuals' variance
+
+// The variance that the inputs' uncertainties give each output; empty where the record has none.
+std::vector<double> variance_from_inputs(const Dataset& record, const StaticModel& model) {
+  std::vector<double> variance;
+  for (const Axis axis : record.axes()) {
+    const auto& sigma = record.acceleration_sigma[static_cast<std::size_t>(axis)];
+    if (sigma.empty()) continue;
+    variance.resize(record.rows());
+    for (std::size_t row = 0; row < record.rows(); ++row) {
+      const double part = model.slope(record.at(row), axis) * sigma[row];
+      variance[row] += part * part;
+    }
+  }
+  return variance;
+}
+
+std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Identification& result,
+                                               const std::vector<double>& from_inputs) {
+  const Dataset& record = rows.record();
+  if (record.output_sigma.empty() || rows.dof() == 0) return std::nullopt;
+  std::vector<double> scaled(rows.rows());
+  for (std::size_t row = 0; row < scaled.size(); ++row) {
+    const double own = record.output_sigma[row] * record.output_sigma[row];
+    const double variance = own + (from_inputs.empty() ? 0.0 : from_inputs[row]);
+    if (!(variance > 0.0)) return std::nullopt;
+    scaled[row] = rows.residuals()[row] / std::sqrt(variance);
+  }
+  const bool robust = std::holds_alternative<RobustDetails>(result.details);
+  const auto fitted = static_cast<double>(result.diagnostics.dof.value_or(rows.dof()));
+  const double n = result.train ? static_cast<double>(result.train->n) : static_cast<double>(rows.rows());
+  const double dof = static_cast<double>(rows.rows()) * std::min(1.0, fitted / n);
+  const double scale = median_scale(scaled, rows.basis().columns());
+  const double ratio =
+      robust ? scale * scale : std::inner_product(scaled.begin(), scaled.end(), scaled.begin(), 0.0) / dof;
+  // The cube root of chi² per degree of freedom is nearly normal (Wilson and Hilferty, PNAS 17, 1931).
+  const double counted = robust ? kMedianEfficiency * dof : dof;
+  const double variance = 2.0 / (9.0 * counted);
+  const double errors = (std::cbrt(ratio) - (1.0 - variance)) / std::sqrt(variance);
+  if (!(std::abs(errors) > kDoubt && std::abs(ratio - 1.0) > kFar)) return std::nullopt;
+  return Finding{.code = ratio > 1.0 ? Code::sigma_output_too_small : Code::sigma_output_too_large,
+                 .severity = Severity::warning,
+                 .figures = {{"ratio", ratio}, {"factor", std::sqrt(ratio)}}};
+}
+
+// Against the residuals by their median, lest outliers hide it.
+std::optional<Finding> find_unused_input_sigma(const FittedRows& rows, const Identification& result,
+                                               const std::vector<double>& from_inputs) {
+  if (from_inputs.empty()) return std::nullopt;
+  const double mean =
+      std::accumulate(from_inputs.begin(), from_inputs.end(), 0.0) / static_cast<double>(from_inputs.size());
+  const double fraction = rows.scale() > 0.0 ? mean / (rows.scale() * rows.scale()) : 1.0;
+  return Finding{.code = Code::sigma_inputs_unused,
+                 .severity = fraction > kInputsMatter ? Severity::warning : Severity::note,
+                 .figures = {{"method", result.method}, {"percent", 100.0 * std::min(1.0, fraction)}}};
+}
+
+}  // namespace
+
+std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identification& result,
+                                       bool inputs_sigma_used) {
+  std::vector<Finding> findings;
+  const std::vector<double> from_inputs = variance_from_inputs(rows.record(), result.static_model());
+  if (auto found = find_wrong_output_sigma(rows, result, from_inputs)) findings.push_back(std::move(*found));
+  if (!inputs_sigma_used) {
+    if (auto found = find_unused_input_sigma(rows, result, from_inputs))
+      findings.push_back(std::move(*found));
+  }
+  return findings;
+}
+
+}  // namespace proofmass

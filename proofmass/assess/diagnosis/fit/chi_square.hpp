@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "proofmass/assess/diagnosis/fit/fitted_rows.hpp"
+#include "proofmass/core/finding.hpp"
+
+namespace proofmass {
+
+// Says when the residuals are larger or smaller than the record's sigma_E (with the inputs' uncertainties
+// where it has them) leads to expect, by chi² per degree of freedom, and how much of the residuals the
+// uncertainties of the inputs explain where the method takes no account of them.
+[[nodiscard]] std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identification& result,
+                                                     bool inputs_sigma_used);
+
+}  // namespace proofmass

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/assess/diagnosis/record/duplicated_rows.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/poisson.hpp>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "proofmass/assess/diagnosis/record/output_resolution.hpp"
+#include "proofmass/assess/diagnosis/record/repeats.hpp"
+#include "proofmass/numeric/regression/robust_loss.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr std::size_t kMostRows = 1'000'000;
+constexpr double kUnlikely = 1e-6;
+constexpr std::size_t kFewPairs = 5;
+constexpr double kContinuous = 0.45;  // of the rows: all of them pasted twice leaves half
+constexpr double kUnequalNoise =
+    3.0;  // rows with less noise than the median's have the same output more often
+constexpr double kFineOutput =
+    1e-4;  // step over range: repeated rows cannot all have the same output by rounding
+
+struct Pairs {
+  std::size_t count = 0;            // rows with the inputs of an earlier row
+  std::vector<std::size_t> same;    // those that have its output too
+  std::vector<double> differences;  // of the outputs of the others
+  std::size_t first_original = 0;   // what the first of `same` repeats
+  bool continuous_inputs = false;   // no planned repetitions
+};
+
+// Whether hardly two rows have the same value along the record's first axis, as in random directions: then
+// rows with the same inputs are not planned.
+bool has_continuous_inputs(const Dataset& record) {
+  std::vector<double> values = record.along(record.axes().front());
+  std::sort(values.begin(), values.end());
+  const auto distinct = static_cast<double>(std::unique(values.begin(), values.end()) - values.begin());
+  return distinct >= kContinuous * static_cast<double>(record.rows());
+}
+
+Pairs pairs_of(const Dataset& record) {
+  std::vector<const std::vector<double>*> columns;
+  for (const Axis axis : record.axes()) columns.push_back(&record.along(axis));
+  const std::vector<std::size_t> earlier = earlier_equals(record.rows(), columns);
+  Pairs pairs;
+  for (std::size_t row = 0; row < earlier.size(); ++row) {
+    if (earlier[row] == row) continue;
+    ++pairs.count;
+    const double difference = record.output[row] - record.output[earlier[row]];
+    if (difference != 0.0) {
+      pairs.differences.push_back(difference);
+    } else {
+      if (pairs.same.empty()) pairs.first_original = earlier[row];
+      pairs.same.push_back(row);
+    }
+  }
+  pairs.continuous_inputs = has_continuous_inputs(record);
+  return pairs;
+}
+
+// Whether rounding explains that so many of the pairs have one output.
+bool explained_by_rounding(const Pairs& pairs, const OutputResolution& resolution, std::size_t rows) {
+  if (pairs.differences.empty()) {
+    if (pairs.continuous_inputs) return false;
+    const bool planned = 2 * pairs.count >= rows;
+    return pairs.count < kFewPairs || (planned && resolution.step >= kFineOutput * resolution.range);
+  }
+  const double sd = median_scale(pairs.differences, 0);
+  const double same = std::min(1.0, resolution.step / (sd * std::sqrt(2.0 * std::numbers::pi)));
+  const double expected = kUnequalNoise * same * static_cast<double>(pairs.count);
+  if (expected <= 0.0) return false;
+  const boost::math::poisson_distribution<double> chance(expected);
+  const auto observed = static_cast<double>(pairs.same.size());
+  return boost::math::cdf(boost::math::complement(chance, observed - 1.0)) > kUnlikely;
+}
+
+}  // namespace
+
+std::optional<Finding> find_duplicated_rows(const Dataset& record) {
+  if (record.rows() < 2 || record.rows() > kMostRows || record.axes().empty()) return std::nullopt;
+  const Pairs pairs = pairs_of(record);
+  if (pairs.same.empty() || explained_by_rounding(pairs, output_resolution(record), record.rows()))
+    return std::nullopt;
+  return Finding{.code = Code::rows_duplicated,
+                 .severity = Severity::warning,
+                 .lines = record.lines_of(pairs.same),
+                 .figures = {{"count", pairs.same.size()},
+                             {"first", record.line_of(pairs.same.front())},
+                             {"original", record.line_of(pairs.first_original)}}};
+}
+
+}  // namespace proofmass

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/assess/diagnosis/record/input_unit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace proofmass {
+namespace {
+
+constexpr double kTolerance = 0.015;  // gravity over the Earth, and a head that is a little off
+
+// What one g reads as, in g, where the values are in `written` but taken for the unit `read`.
+struct Mistake {
+  const char* written;
+  const char* read;
+  double one_g;
+};
+constexpr std::array kMistakes{Mistake{"m/s^2", "g", kStandardGravity},
+                               Mistake{"mg", "g", 1e3},
+                               Mistake{"ft/s^2", "g", kStandardGravity / 0.3048},
+                               Mistake{"mm/s^2", "g", 1e3 * kStandardGravity},
+                               Mistake{"Gal", "g", 1e2 * kStandardGravity},
+                               Mistake{"g", "m/s^2", 1.0 / kStandardGravity},
+                               Mistake{"g", "mg", 1e-3}};
+
+struct Magnitudes {
+  double least = 0.0;
+  double greatest = 0.0;
+};
+
+// Of |A|; of the largest |Ai| alone where the record has no other axis, for a tumble passes through zero.
+Magnitudes magnitudes(const Dataset& record) {
+  Magnitudes range{.least = std::hypot(record.at(0).i, record.at(0).o, record.at(0).p), .greatest = 0.0};
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const Acceleration a = record.at(row);
+    const double magnitude = std::hypot(a.i, a.o, a.p);
+    range.least = std::min(range.least, magnitude);
+    range.greatest = std::max(range.greatest, magnitude);
+  }
+  if (record.axes() == std::vector<Axis>{Axis::input}) {
+    const auto [low, high] =
+        std::minmax_element(record.along(Axis::input).begin(), record.along(Axis::input).end());
+    if (*low < 0.0 && std::abs(*low + *high) < kTolerance * *high) range.least = range.greatest;
+  }
+  return range;
+}
+
+}  // namespace
+
+std::optional<Finding> find_other_input_unit(const Dataset& record) {
+  if (record.rows() < 2 || record.axes().empty()) return std::nullopt;
+  const Magnitudes range = magnitudes(record);
+  for (const Mistake& mistake : kMistakes) {
+    if (record.acceleration_unit.symbol != mistake.read) continue;
+    if (range.least < (1.0 - kTolerance) * mistake.one_g ||
+        range.greatest > (1.0 + kTolerance) * mistake.one_g)
+      continue;
+    return Finding{.code = Code::inputs_in_other_unit,
+                   .severity = Severity::warning,
+                   .figures = {{"least", range.least / record.acceleration_unit.to_canonical},
+                               {"largest", range.greatest / record.acceleration_unit.to_canonical},
+                               {"read", std::string(mistake.read)},
+                               {"written", std::string(mistake.written)}}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace proofmass

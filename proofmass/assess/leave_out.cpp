@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/assess/leave_out.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "proofmass/assess/metrics.hpp"
+#include "proofmass/identify/method.hpp"
+#include "proofmass/identify/model/term_rows.hpp"
+#include "proofmass/numeric/linear/deletion_residuals.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr std::size_t kMostMounts = 4096;  // each has a matrix of its own
+
+struct Mounts {
+  std::vector<std::size_t> of_row;
+  std::size_t count = 0;
+};
+
+Mounts mounts_of(const std::vector<std::string>& labels) {
+  Mounts mounts;
+  std::unordered_map<std::string_view, std::size_t> place;
+  for (const std::string& label : labels)
+    mounts.of_row.push_back(place.try_emplace(label, place.size()).first->second);
+  mounts.count = place.size();
+  return mounts;
+}
+
+// Over the rows that the others determine; nothing where there are none.
+std::optional<Metrics> score_deleted(const Dataset& fitted, const std::vector<double>& residuals) {
+  std::vector<double> measured;
+  std::vector<double> predicted;
+  for (std::size_t row = 0; row < residuals.size(); ++row) {
+    if (std::isnan(residuals[row])) continue;
+    measured.push_back(fitted.output[row]);
+    predicted.push_back(fitted.output[row] - residuals[row]);
+  }
+  if (measured.empty()) return std::nullopt;
+  return score(measured, predicted, 1.0 / fitted.output_unit.to_canonical);
+}
+
+void add_undetermined(Identification& result, Code code, std::size_t undetermined, std::size_t total) {
+  if (undetermined == 0) return;
+  result.findings.push_back({.code = code, .figures = {{"count", undetermined}, {"total", total}}});
+}
+
+}  // namespace
+
+void add_leave_out_scores(Identification& result, const Dataset& fitted) {
+  if (info(find_method(result.method)).training_fraction < 1.0) return;
+  const StaticModel model = result.static_model();
+  const TermRows rows(fitted, model.terms, axis_ranges(fitted));
+  std::vector<double> residuals = static_outputs(model, fitted);
+  for (std::size_t row = 0; row < residuals.size(); ++row)
+    residuals[row] = fitted.output[row] - residuals[row];
+  const std::vector<double>& weights = result.row_weights.values;
+
+  result.findings.push_back(
+      {.code = result.row_weights.fixed ? Code::left_out_exactly : Code::left_out_in_one_step});
+  const DeletionResiduals by_row = deletion_residuals(rows, residuals, weights);
+  result.leave_one_out = score_deleted(fitted, by_row.residuals);
+  add_undetermined(result, Code::rows_not_left_out, by_row.undetermined, fitted.rows());
+
+  const Mounts mounts = mounts_of(fitted.mount);
+  if (mounts.count < 2 || mounts.count > kMostMounts) return;
+  const DeletionResiduals by_mount =
+      deletion_residuals(rows, residuals, weights, mounts.of_row, mounts.count);
+  result.leave_one_mount_out = score_deleted(fitted, by_mount.residuals);
+  add_undetermined(result, Code::mounts_not_left_out, by_mount.undetermined, mounts.count);
+}
+
+}  // namespace proofmass

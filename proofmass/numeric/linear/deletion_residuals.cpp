@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/numeric/linear/deletion_residuals.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "proofmass/numeric/linear/gram_matrix.hpp"
+#include "proofmass/numeric/linear/normal_solution.hpp"
+
+namespace proofmass {
+namespace {
+
+constexpr double kUndetermined = 1e-9;  // of one: what a row or group leaves to the others
+
+using Vector = Eigen::VectorXd;
+
+// The rows of orthonormal regressors, one after the other.
+class OrthonormalRows {
+ public:
+  OrthonormalRows(const RegressionRows& rows, Matrix orthogonaliser)
+      : rows_(rows), orthogonaliser_(std::move(orthogonaliser)) {}
+
+  // Calls visit(row, q) for each row in turn.
+  template <typename Visit>
+  void for_each(Visit&& visit) const {
+    const std::size_t p = rows_.regressors();
+    RowBlock block(p + 1);
+    Vector q(static_cast<Eigen::Index>(p));
+    for (std::size_t first = 0; first < rows_.rows(); first += RowBlock::kRows) {
+      const std::size_t count = std::min(RowBlock::kRows, rows_.rows() - first);
+      rows_.fill(first, count, block);
+      for (std::size_t r = 0; r < count; ++r) {
+        for (std::size_t c = 0; c < p; ++c) {
+          double sum = 0.0;
+          for (std::size_t k = 0; k <= c; ++k) sum += block.column(k)[r] * orthogonaliser_(k, c);
+          q[static_cast<Eigen::Index>(c)] = sum;
+        }
+        visit(first + r, q);
+      }
+    }
+  }
+
+ private:
+  const RegressionRows& rows_;
+  Matrix orthogonaliser_;
+};
+
+// What a group takes from the sums, in terms of the orthonormal regressors.
+struct GroupSums {
+  Eigen::MatrixXd squares;  // QᵀWQ
+  Vector products;          // QᵀWr, and then (I - QᵀWQ)⁻¹ QᵀWr
+};
+
+// False when the others do not determine the coefficients.
+bool solve(GroupSums& sums) {
+  const auto p = sums.products.size();
+  const Eigen::LLT<Eigen::MatrixXd> left(Eigen::MatrixXd::Identity(p, p) - sums.squares);
+  if (left.info() != Eigen::Success) return false;
+  const double least = left.matrixLLT().diagonal().minCoeff();
+  if (!(least * least > kUndetermined)) return false;
+  sums.products = left.solve(sums.products);
+  return true;
+}
+
+DeletionResiduals delete_rows(const RegressionRows& rows, std::span<const double> residuals,
+                              const Matrix& orthogonaliser) {
+  DeletionResiduals deleted{.residuals = regression_leverages(rows, orthogonaliser)};
+  for (std::size_t row = 0; row < residuals.size(); ++row) {
+    const double left = 1.0 - deleted.residuals[row];
+    const bool determined = left > kUndetermined;
+    deleted.residuals[row] = determined ? residuals[row] / left : std::numeric_limits<double>::quiet_NaN();
+    if (!determined) ++deleted.undetermined;
+  }
+  return deleted;
+}
+
+DeletionResiduals delete_groups(const OrthonormalRows& rows, std::span<const double> residuals,
+                                std::span<const double> weights, std::span<const std::size_t> group,
+                                std::vector<GroupSums> sums) {
+  rows.for_each([&](std::size_t row, const Vector& q) {
+    const double w = weights.empty() ? 1.0 : weights[row];
+    GroupSums& own = sums.at(group[row]);
+    own.squares.noalias() += w * q * q.transpose();
+    own.products += w * residuals[row] * q;
+  });
+  DeletionResiduals deleted{.residuals = std::vector<double>(residuals.size())};
+  std::vector<bool> determined;
+  for (GroupSums& own : sums) {
+    determined.push_back(solve(own));
+    if (!determined.back()) ++deleted.undetermined;
+  }
+  rows.for_each([&](std::size_t row, const Vector& q) {
+    deleted.residuals[row] = determined[group[row]] ? residuals[row] + q.dot(sums[group[row]].products)
+                                                    : std::numeric_limits<double>::quiet_NaN();
+  });
+  return deleted;
+}
+
+}  // namespace
+
+DeletionResiduals deletion_residuals(const RegressionRows& rows, std::span<const double> residuals,
+                                     std::span<const double> weights, std::span<const std::size_t> group,
+                                     std::size_t groups) {
+  const auto one_a_row = [&rows](std::size_t size) { return size == rows.rows(); };
+  if (!one_a_row(residuals.size()) || !(weights.empty() || one_a_row(weights.size())) ||
+      !(group.empty() || one_a_row(group.size()))) {
+    throw std::invalid_argument("deletion needs a residual, weight and group for each row");
+  }
+  const WeightedRows weighted(rows, weights.empty() ? std::vector<double>(rows.rows(), 1.0)
+                                                    : std::vector<double>(weights.begin(), weights.end()));
+  const RegressionRows& summed = weights.empty() ? rows : static_cast<const RegressionRows&>(weighted);
+  Matrix orthogonaliser = solve_normal_equations(gram_matrix(summed), summed).orthogonaliser;
+  if (group.empty()) return delete_rows(summed, residuals, orthogonaliser);
+  const auto p = static_cast<Eigen::Index>(rows.regressors());
+  return delete_groups(OrthonormalRows(rows, std::move(orthogonaliser)), residuals, weights, group,
+                       std::vector<GroupSums>(groups, {Eigen::MatrixXd::Zero(p, p), Vector::Zero(p)}));
+}
+
+}  // namespace proofmass

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// What in a record or a fit cannot be what it claims: cause, consequence, remedy.
+#include "proofmass/report/text/en_diagnosis.hpp"
+
+namespace proofmass {
+
+std::string_view english_diagnosis(Code code) noexcept {
+  switch (code) {
+    case Code::inputs_in_other_unit:
+      return "|A| is {least:.5g} to {largest:.5g} in every row and was read in {read}: it looks like 1 g in "
+             "{written}. Every coefficient is then wrong by powers of the ratio. State the unit in the "
+             "header, as in Ai[{written}]";
+    case Code::output_clipped:
+      return "{count:.0f} rows with different inputs have exactly the {which} output, {value:.8g} {unit}: "
+             "the output is clipped there, and coefficients that fit it are wrong. Leave these rows out, or "
+             "widen the range of the meter: lines {lines}";
+    case Code::output_held:
+      return "the output repeats from row to row {repeats:.0f} times while the inputs change (longest: "
+             "{longest:.0f} rows at {value:.8g} {unit}, lines {first:.0f} to {last:.0f}): the output is "
+             "stuck or held, and coefficients that fit it are wrong. Leave these rows out, or read the meter "
+             "once a row";
+    case Code::output_wrapped:
+      return "the outputs fall into two groups, up to {below:.0f} and from {above:.0f}, and follow the "
+             "inputs when 2^{bits:.0f} = {turn:.0f} is taken off the upper one ({percent:.3g} % of the "
+             "rows): signed counts read as unsigned, or a counter that ran over. The coefficients mean "
+             "nothing as they are. Take {turn:.0f} off the outputs from {above:.0f}";
+    case Code::rows_duplicated:
+      return "{count:.0f} rows repeat an earlier row, inputs and output (line {first:.0f} repeats line "
+             "{original:.0f}): rows pasted twice count twice, and standard errors are too small. Leave the "
+             "repetitions out: lines {lines}";
+    case Code::time_backwards:
+      return "t runs backwards in {count:.0f} of {total:.0f} rows: records joined or sorted by something "
+             "else, or a clock that was set. Drift cannot be judged then: lines {lines}";
+    case Code::time_standing:
+      return "t stands still in {count:.0f} of {total:.0f} rows: rows pasted twice, or a clock that "
+             "stopped: lines {lines}";
+    case Code::scale_factor_negative:
+      return "Ki is negative ({value:.6g} {unit}): the output falls while the acceleration along the input "
+             "axis grows. The input axis points the other way, or the leads of the output are swapped";
+    case Code::scale_factor_unlike_one:
+      return "Ki is {value:.6g} g/g, far from 1: {hint}";
+    case Code::cross_axis_larger:
+      return "{terms} ({value:.6g} {unit}) is larger than Ki ({ki:.6g} {unit}): the columns of the axes are "
+             "swapped, or the instrument is mounted along another axis than the record says. Name the "
+             "columns by --map";
+    case Code::few_degrees_of_freedom:
+      return "{rows:.0f} rows leave {dof:.0f} degrees of freedom: standard errors are themselves uncertain "
+             "by about {percent:.0f} %, and a misfit cannot show. Use more rows, or fewer terms";
+    case Code::gross_misfit:
+      return "the fit explains {r2:.3g} of the outputs' variance (R², warned of below {limit:g}): {reason}";
+    case Code::model_too_short:
+      return "the residuals follow terms that the model lacks and that the rows can identify: {terms} "
+             "({errors:.3g} standard errors). What these terms contribute is in the residuals and in the "
+             "coefficients that are there. Add them, or use --model full --on-rank-loss drop";
+    case Code::residuals_follow_time:
+      return "the residuals follow t: over the record they change by {change:.3g} {unit}, {errors:.3g} "
+             "standard errors (noise {scale:.3g} {unit}). A drift moves the coefficients. Leave the warm-up "
+             "out, or repeat a reference position through the test and take the drift off the output";
+    case Code::residuals_follow_temperature:
+      return "the residuals follow T: over its range they change by {change:.3g} {unit}, {errors:.3g} "
+             "standard errors (noise {scale:.3g} {unit}). A drift moves the coefficients. Wait until the "
+             "temperature is steady, or take its effect off the output";
+    case Code::residuals_follow_order:
+      return "the residuals follow the order of the rows: over the record they change by {change:.3g} "
+             "{unit}, {errors:.3g} standard errors (noise {scale:.3g} {unit}). If the rows are in the order "
+             "of the test this is a drift, which moves the coefficients: leave the warm-up out, or repeat a "
+             "reference position and take the drift off the output";
+    case Code::residuals_follow_mount:
+      return "the residuals follow the mount, in {count:.0f} of {total:.0f} mounts: in {mount} they average "
+             "{mean:.3g} {unit}, {errors:.3g} standard errors from zero. Errors of the stand (alignment, "
+             "radius, fixture) do so; they are alike in all rows of a mount, and the standard errors, which "
+             "take rows for independent, are too small";
+    case Code::residuals_correlated:
+      return "the residuals of neighbouring rows are correlated ({correlation:.2f}, {errors:.3g} standard "
+             "errors): the output wanders, or terms are missing. Standard errors take rows for independent, "
+             "and are too small";
+    case Code::sigma_inputs_unused:
+      return "the columns sigma_A... are not used: {method} takes the inputs for exact. Their uncertainties "
+             "explain {percent:.3g} % of the residuals' variance. eiv takes them into account";
+    default:
+      return {};
+  }
+}
+
+std::string_view english_diagnosis_phrase(std::string_view figure, std::string_view word) noexcept {
+  if (figure == "hint") {
+    if (word == "output_si") return "the output seems to be in m/s². State its unit: E[m/s^2]";
+    if (word == "inputs_si") return "the inputs seem to be in m/s². State their unit: Ai[m/s^2]";
+    if (word == "output_milli") return "the output seems to be in mg. State its unit: E[mg]";
+    if (word == "inputs_milli") return "the inputs seem to be in mg. State their unit: Ai[mg]";
+    if (word == "output_micro") return "the output seems to be in ug. State its unit: E[ug]";
+    if (word == "output_milli_si") return "the output seems to be in mm/s². State its unit: E[mm/s^2]";
+    if (word == "undeclared") return "no unit is declared for E, and g is assumed. State it, as in E[V]";
+    if (word == "declared")
+      return "the unit of E or of the inputs is not what the record says, or the wrong column is read";
+  }
+  if (figure == "reason") {
+    if (word == "terms")
+      return "terms of the static model that are left out explain most of it. Use --model full "
+             "--on-rank-loss drop";
+    if (word == "rows")
+      return "a few rows are far off, the others are not. Use --method robust, and look at the rows that it "
+             "suspects";
+    if (word == "shifted")
+      return "the outputs follow the inputs of rows {shift:.0f} away: the columns are shifted against each "
+             "other";
+    if (word == "angles")
+      return "the outputs follow the cosine of the inputs in degrees: the inputs are angles of a dividing "
+             "head, and Ai = cos(angle)";
+    if (word == "unrelated")
+      return "the output hardly depends on the inputs. The wrong column is read, or rows are in another "
+             "order";
+    if (word == "unknown")
+      return "the inputs explain part of the output only. Plot the output against each input";
+  }
+  if (figure == "which") {
+    if (word == "largest") return "largest";
+    if (word == "smallest") return "smallest";
+  }
+  return {};
+}
+
+}  // namespace proofmass
