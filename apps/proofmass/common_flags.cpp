@@ -37,6 +37,10 @@ void add_common(CLI::App& verb, CommonFlags& flags) {
             [&flags](std::uint64_t n) { flags.threads = n; });
 }
 
+void add_wide(CLI::App& verb, CommonFlags& flags) {
+  verb.add_flag("--wide", flags.wide, "Tables with all their columns, however wide the terminal is");
+}
+
 CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help) {
   const auto take = [option, &path](const std::string& text) {
     if (text.empty())

@@ -2,11 +2,13 @@
 #include "console_progress.hpp"
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdio>
-#include <limits>
+#include <utility>
 
 #include "interrupts.hpp"
 
@@ -17,26 +19,59 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 2s;  // before the first line
 constexpr auto kRewritePause = 100ms;
 constexpr auto kLinePause = 10s;
+constexpr auto kWatchPause = 500ms;
+constexpr double kFractionForForecast = 0.1;
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+// A thread that signals do not reach: they are for the thread that waits for input.
+template <typename Function>
+std::thread thread_without_signals(Function function) {
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  std::thread thread(std::move(function));
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return thread;
+}
 
 }  // namespace
 
-std::string progress_text(std::string_view stage, std::size_t done, std::size_t total, double seconds_left) {
-  const std::size_t percent = total == 0 ? 0 : done * 100 / total;
-  std::string text = fmt::format("{}: {} of {} ({} %)", stage, done, total, percent);
-  if (!std::isfinite(seconds_left)) return text;
-  const auto left = static_cast<long>(std::ceil(seconds_left));
-  if (left >= 3600)
-    return text + fmt::format(", {}:{:02}:{:02} left", left / 3600, left / 60 % 60, left % 60);
-  return text + fmt::format(", {}:{:02} left", left / 60, left % 60);
+std::string progress_text(const StageProgress& progress) {
+  const auto& [stage, first, done, total, seconds] = progress;
+  const std::string so_far = fmt::format("{} so far", clock_text(seconds));
+  if (total <= 1) return fmt::format("{}: {}", stage, so_far);
+  const std::string text = fmt::format("{}: {} of {} ({} %)", stage, done, total, done * 100 / total);
+  const auto made = static_cast<double>(done) - static_cast<double>(first);
+  const auto all = static_cast<double>(total) - static_cast<double>(first);
+  if (!(made >= kFractionForForecast * all && made > 0.0)) return fmt::format("{}, {}", text, so_far);
+  return fmt::format("{}, {} left", text, clock_text(seconds / made * (all - made)));
 }
 
-ConsoleProgress::ConsoleProgress(bool quiet) : quiet_(quiet), rewrite_(isatty(STDERR_FILENO) == 1) {}
+ConsoleProgress::ConsoleProgress(bool quiet) : quiet_(quiet), rewrite_(isatty(STDERR_FILENO) == 1) {
+  if (!quiet_) watcher_ = thread_without_signals([this] { watch(); });
+}
 
-ConsoleProgress::~ConsoleProgress() { clear(); }
+ConsoleProgress::~ConsoleProgress() {
+  clear();
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  woken_.notify_all();
+  if (watcher_.joinable()) watcher_.join();
+}
 
 void ConsoleProgress::clear() {
+  const std::lock_guard lock(mutex_);
   if (shown_ && rewrite_) std::fputs("\r\x1b[K", stderr);
   shown_ = false;
+  stage_.clear();
 }
 
 bool ConsoleProgress::is_due(Clock::time_point now) const {
@@ -44,23 +79,39 @@ bool ConsoleProgress::is_due(Clock::time_point now) const {
   return !shown_ || now - last_ >= (rewrite_ ? Clock::duration(kRewritePause) : Clock::duration(kLinePause));
 }
 
+void ConsoleProgress::show(Clock::time_point now) {
+  const std::string text =
+      progress_text({.stage = stage_,
+                     .first = stage_first_,
+                     .done = done_,
+                     .total = total_,
+                     .seconds = std::chrono::duration<double>(now - stage_start_).count()});
+  std::fputs(rewrite_ ? fmt::format("\r{}\x1b[K", text).c_str() : fmt::format("{}\n", text).c_str(), stderr);
+  shown_ = true;
+  last_ = now;
+}
+
 void ConsoleProgress::update(std::string_view stage, std::size_t done, std::size_t total) {
+  const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   if (stage != stage_) {
     stage_ = stage;
     stage_start_ = now;
     stage_first_ = done;
   }
-  if (!is_due(now)) return;
-  double left = std::numeric_limits<double>::infinity();
-  if (done > stage_first_) {
-    const double elapsed = std::chrono::duration<double>(now - stage_start_).count();
-    left = elapsed / static_cast<double>(done - stage_first_) * static_cast<double>(total - done);
+  done_ = done;
+  total_ = total;
+  // A stage in one piece that is done has nothing more to say.
+  if (total > 1 && is_due(now)) show(now);
+}
+
+void ConsoleProgress::watch() {
+  std::unique_lock lock(mutex_);
+  while (!woken_.wait_for(lock, kWatchPause, [this] { return stop_; })) {
+    const auto now = Clock::now();
+    const bool under_way = !stage_.empty() && done_ < total_;
+    if (under_way && is_due(now)) show(now);
   }
-  const std::string text = progress_text(stage, done, total, left);
-  std::fputs(rewrite_ ? fmt::format("\r{}\x1b[K", text).c_str() : fmt::format("{}\n", text).c_str(), stderr);
-  shown_ = true;
-  last_ = now;
 }
 
 bool ConsoleProgress::cancelled() const noexcept { return interrupted(); }

@@ -2,38 +2,62 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "proofmass/core/progress.hpp"
 
 namespace proofmass::cli {
 
 // Progress on standard error, from two seconds on: one line rewritten in place on a terminal, a line every
-// ten seconds elsewhere, nothing when quiet. Cancelled by SIGINT and SIGTERM, see InterruptGuard.
+// ten seconds elsewhere, nothing when quiet. A step that says nothing for that long is shown with the time
+// that it has taken. Cancelled by SIGINT and SIGTERM, see InterruptGuard.
 class ConsoleProgress final : public Progress {
  public:
   explicit ConsoleProgress(bool quiet);
   ~ConsoleProgress() override;
+  ConsoleProgress(const ConsoleProgress&) = delete;
+  ConsoleProgress& operator=(const ConsoleProgress&) = delete;
   void update(std::string_view stage, std::size_t done, std::size_t total) override;
   [[nodiscard]] bool cancelled() const noexcept override;
-  // Takes the line off the terminal, for results to follow.
+  // Takes the line off the terminal, for results to follow, and shows nothing more until the next update.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] bool is_due(Clock::time_point now) const;
+  void show(Clock::time_point now);
+  void watch();  // until stop_, in a thread of its own
+
   bool quiet_;
   bool rewrite_;  // standard error is a terminal
   bool shown_ = false;
-  std::string stage_;
+  std::string stage_;  // empty: nothing is under way
+  std::size_t done_ = 0;
+  std::size_t total_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point stage_start_ = start_;
   std::size_t stage_first_ = 0;  // units done when the stage was first heard of
   Clock::time_point last_ = start_;
+  std::mutex mutex_;
+  std::condition_variable woken_;
+  bool stop_ = false;
+  std::thread watcher_;
 };
 
-// "pso-bp swarm: 12 of 60 (20 %), 1:05 left"; the time left is unknown until something is done.
-[[nodiscard]] std::string progress_text(std::string_view stage, std::size_t done, std::size_t total,
-                                        double seconds_left);
+// How far a stage is. The units may be a limit that an iteration ends long before: what is left is told from
+// a tenth of them on.
+struct StageProgress {
+  std::string_view stage;
+  std::size_t first = 0;  // units done when the stage was first heard of
+  std::size_t done = 0;
+  std::size_t total = 0;
+  double seconds = 0.0;  // since then
+};
+
+// "pso-bp swarm: 12 of 60 (20 %), 1:05 left"; "robust regression: 0:34 so far" of a stage in one piece.
+[[nodiscard]] std::string progress_text(const StageProgress& progress);
 
 }  // namespace proofmass::cli

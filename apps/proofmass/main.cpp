@@ -7,13 +7,17 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "completion.hpp"
+#include "help_text.hpp"
 #include "interrupts.hpp"
+#include "manual.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/nearest.hpp"
@@ -40,7 +44,8 @@ constexpr std::array kVerbs{
 };
 
 constexpr auto kFooter =
-    "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input data, 4 refused, 130 interrupted.\n"
+    "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input data, 4 refused,\n130 interrupted.\n"
+    "\"proofmass completion bash|zsh|fish\" prints what completes commands in a shell.\n"
     "\"proofmass VERB --help\" lists a verb's options and shows examples.";
 
 // Standard error may be closed or full; the exit code then has to say it all.
@@ -122,6 +127,17 @@ std::vector<std::string> as_typed(int argc, char** argv) {
   return words;
 }
 
+// "completion SHELL" and "manual [VERB]" print what is made from the verbs and their options; false for other
+// words.
+bool prints_page(const std::vector<std::string>& typed, CLI::App& app) {
+  const std::string& word = typed.front();
+  if (word != "completion" && word != "manual") return false;
+  if (typed.size() > 2) throw usage_error(fmt::format("{} takes one word after it", word));
+  const std::string which = typed.size() == 2 ? typed[1] : "";
+  print(word == "manual" ? manual_page(app, which) : completion_script(app, which));
+  return true;
+}
+
 // Parses the command line and does what it says. CLI11 would exit with codes of its own (105 and up): they
 // become the contract's 2.
 int dispatch(int argc, char** argv) {
@@ -130,6 +146,7 @@ int dispatch(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("proofmass {}", version()));
   app.require_subcommand(1);
   app.footer(kFooter);
+  app.formatter(std::make_shared<HelpText>());  // of the verbs too
   std::vector<std::pair<CLI::App*, Action>> actions;
   std::vector<std::string> typed = as_typed(argc, argv);
   std::vector<std::string_view> words(typed.begin(), typed.end());
@@ -137,9 +154,11 @@ int dispatch(int argc, char** argv) {
   for (const Verb& verb : kVerbs) {
     CLI::App* const added = app.add_subcommand(verb.name, verb.description);
     // The options of a verb that no word names would be made for nothing.
-    if (std::find(words.begin(), words.end(), verb.name) == words.end()) continue;
+    const bool all = typed.front() == "completion" || typed.front() == "manual";
+    if (!all && std::find(words.begin(), words.end(), verb.name) == words.end()) continue;
     actions.emplace_back(added, verb.add(*added));
   }
+  if (prints_page(typed, app)) return 0;
   require_known_verb(typed.front());
   try {
     app.parse(std::vector<std::string>(typed.rbegin(), typed.rend()));  // CLI11 takes them from the back

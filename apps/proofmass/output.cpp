@@ -2,8 +2,10 @@
 #include "output.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <sstream>
@@ -14,6 +16,19 @@
 namespace proofmass::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kUsualWidth = 80;  // columns, where standard output is no terminal
+constexpr std::size_t kLeastWidth = 40;  // less is not a width that anybody reads tables in
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kUsualWidth;
+  return std::max<std::size_t>(size.ws_col, kLeastWidth);
+}
+
+}  // namespace
 
 void print(std::string_view text) {
   // Streams would go on waiting for the reader after a signal.
@@ -33,10 +48,11 @@ void print(std::string_view text) {
   }
 }
 
-TerminalStyle terminal_style() {
+TerminalStyle terminal_style(bool wide) {
   const char* const no_colour = std::getenv("NO_COLOR");
   const bool refused = no_colour != nullptr && *no_colour != '\0';
-  return {.colour = !refused && isatty(STDOUT_FILENO) == 1};
+  const bool terminal = isatty(STDOUT_FILENO) == 1;
+  return {.colour = !refused && terminal, .width = wide ? 0 : terminal ? terminal_width() : kUsualWidth};
 }
 
 OutputFiles::~OutputFiles() {

@@ -20,8 +20,9 @@ namespace proofmass::cli {
 // reads any more is not a failure. Throws an Error of kind interrupted when asked to stop.
 void print(std::string_view text);
 
-// Colour on standard output: only on a terminal, and not when NO_COLOR is set (no-color.org).
-[[nodiscard]] TerminalStyle terminal_style();
+// Colour on standard output: only on a terminal, and not when NO_COLOR is set (no-color.org). Lines are as
+// long as the terminal is wide, 80 columns elsewhere, and of any length when `wide`.
+[[nodiscard]] TerminalStyle terminal_style(bool wide);
 
 // Files that appear once every one of them is complete and standard output has taken its text; until then,
 // none does. A failure or an interruption before that leaves neither temporary files nor new folders.

@@ -53,7 +53,8 @@ struct Comparison {
   std::size_t repeats = 1;
   double training_fraction = 0.7;
   std::vector<Contestant> contestants;
-  std::vector<Finding> findings;  // on the record and its truth
+  std::vector<Finding> findings;     // on the record and its truth
+  std::optional<StaticModel> truth;  // where it is known
 };
 
 // Mean figures of one method over those of another, as the paper gives its cost; absent where either lacks

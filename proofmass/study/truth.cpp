@@ -124,6 +124,7 @@ void score_truth(Comparison& comparison, const Dataset& record, const Simulation
   require_same_output(plan, record);
   const std::vector<double> information = row_information(plan, record);
   const StaticModel truth = plan.truth();
+  comparison.truth = truth;
   for (Contestant& contestant : comparison.contestants) {
     contestant.truth = score_against(truth, contestant.runs, bounds_of(contestant, record, information));
   }

@@ -99,7 +99,7 @@ void run_compare(const CompareFlags& flags) {
   }
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
-  if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style()));
+  if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style(flags.common.wide)));
   files.commit();
 }
 
@@ -119,12 +119,12 @@ Action add_compare(CLI::App& verb) {
       ->type_name("STAND.toml");
   flags->identify.add_to(verb, IdentifyFlags::Naming::elsewhere);
   add_json(verb, flags->json);
+  add_wide(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"
       "  proofmass compare run.csv --methods ols,bp,pso-bp\n"
-      "  proofmass compare run.csv --methods ols,gmdh,bp,pso-bp,hybrid --repeats 10 --json "
-      "comparison.json\n"
+      "  proofmass compare run.csv --methods ols,gmdh,bp,hybrid --json comparison.json\n"
       "  proofmass compare run.csv --methods ols,robust --repeats 10 --truth stand.toml\n");
   return [flags] { run_compare(*flags); };
 }

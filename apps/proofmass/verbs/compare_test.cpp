@@ -61,8 +61,8 @@ TEST_F(CompareVerb, MeasuresTheDistanceFromTheTruth) {
 TEST_F(CompareVerb, DoubtsATruthThatIsNotTheRecords) {
   const std::string record = make_record("500");
   const auto notes_with = [&](const std::string& truth) {
-    const Outcome outcome =
-        proofmass({"compare", record, "--methods", "ols", "--truth", truth, "--json", at("c.json")});
+    const Outcome outcome = proofmass(
+        {"compare", record, "--methods", "ols", "--truth", truth, "--wide", "--json", at("c.json")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const Json notes = read_json("c.json").value("notes", Json::array());
     for (const std::string note : notes) EXPECT_NE(outcome.out.find("warning: " + note), std::string::npos);

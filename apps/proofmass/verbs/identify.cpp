@@ -70,7 +70,7 @@ void write_result(const Run& run, const Dataset& record, const VerbFlags& flags)
     files.add(folder / "predictions.csv", predictions(run, record));
     files.add(folder / "history.csv", history(run.identification));
   }
-  if (flags.json != "-") files.add("-", render_table(run.identification, terminal_style()));
+  if (flags.json != "-") files.add("-", render_table(run.identification, terminal_style(flags.common.wide)));
   files.commit();
 }
 
@@ -107,6 +107,7 @@ Action add_identify(CLI::App& verb) {
   add_json(verb, flags->json);
   add_path(verb, "--out", flags->out, "Write result.json, predictions.csv and history.csv to the folder DIR")
       ->type_name("DIR");
+  add_wide(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

@@ -30,7 +30,7 @@ void run_inspect(const InspectFlags& flags) {
   progress.clear();
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(inspection));
-  if (flags.json != "-") files.add("-", render_inspection(inspection, terminal_style()));
+  if (flags.json != "-") files.add("-", render_inspection(inspection, terminal_style(flags.common.wide)));
   files.commit();
 }
 
@@ -40,6 +40,7 @@ Action add_inspect(CLI::App& verb) {
   auto flags = std::make_shared<InspectFlags>();
   add_record(verb, flags->record, "RUN.csv", "The test record; - is standard input");
   add_json(verb, flags->json);
+  add_wide(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

@@ -68,6 +68,12 @@ std::string to_json(const Comparison& comparison) {
   for (const Contestant& contestant : comparison.contestants) {
     json["methods"].push_back(json_of(contestant, comparison.contestants.front()));
   }
+  if (comparison.truth) {
+    for (std::size_t k = 0; k < comparison.truth->terms.size(); ++k) {
+      json["truth"].push_back(
+          {{"name", name(comparison.truth->terms[k])}, {"value", comparison.truth->coefficients[k]}});
+    }
+  }
   if (!comparison.findings.empty()) {
     json["findings"] = json_of(std::span(comparison.findings));
     for (const Finding& finding : comparison.findings) json["notes"].push_back(english(finding));

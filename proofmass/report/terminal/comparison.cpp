@@ -54,6 +54,7 @@ std::string coefficient_text(const Run& run, Term term) {
 
 void write_coefficients(TerminalText& out, const Comparison& comparison) {
   std::vector<std::string> header{"term"};
+  if (comparison.truth) header.emplace_back("truth");
   std::vector<Term> terms;
   for (const Contestant& c : comparison.contestants) {
     header.push_back(c.method);
@@ -65,6 +66,7 @@ void write_coefficients(TerminalText& out, const Comparison& comparison) {
   TextTable table(std::move(header));
   for (const Term term : terms) {
     std::vector<std::string> row{std::string(name(term))};
+    if (comparison.truth) row.push_back(fmt::format("{:.7g}", comparison.truth->coefficient(term)));
     for (const Contestant& c : comparison.contestants) row.push_back(coefficient_text(c.runs.front(), term));
     table.add(std::move(row));
   }
@@ -93,7 +95,7 @@ void write_metrics(TerminalText& out, const Comparison& comparison) {
 void write_costs(TerminalText& out, const Comparison& comparison) {
   const Contestant& first = comparison.contestants.front();
   TextTable table({"method", "iterations", "ratio", "time, s", "time ratio", "test MSE ratio", "ended"},
-                  true);
+                  Left::last_too);
   for (const Contestant& c : comparison.contestants) {
     const CostRatios ratios = ratios_to(first, c);
     table.add({c.method, count_text(c.iterations), optional_text(ratios.iterations), spread_text(c.time, 3),
@@ -108,7 +110,8 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
   const bool known = std::any_of(comparison.contestants.begin(), comparison.contestants.end(),
                                  [](const Contestant& c) { return c.truth.has_value(); });
   if (!known) return;
-  TextTable table({"method", "rms error / std. error", "rms error / bound", "largest error", "of"}, true);
+  TextTable table({"method", "rms error / std. error", "rms error / bound", "largest error", "of"},
+                  Left::last_too);
   for (const Contestant& c : comparison.contestants) {
     if (!c.truth) continue;
     table.add({c.method, optional_text(c.truth->rms_over_standard_error),

@@ -48,7 +48,7 @@ std::string condition_text(double condition) {
 void write_models(TerminalText& out, const Inspection& inspection) {
   out.heading("Terms that the inputs can identify");
   TextTable table({"model", "terms", "identified", "rows needed", "condition", "scaled", "unidentifiable"},
-                  true);
+                  Left::last_too);
   for (const PresetVerdict& preset : inspection.presets) {
     TermList unidentified;
     for (const Finding& finding : preset.found.unidentified) unidentified.push_back(finding.terms.front());

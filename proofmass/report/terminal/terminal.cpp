@@ -18,7 +18,15 @@
 namespace proofmass {
 namespace {
 
-std::string readable(const Coefficient& coefficient) {
+// In the unit that users speak; in the output's own where that is no acceleration.
+std::string readable(const Coefficient& coefficient, const Unit& output) {
+  if (!output.is_acceleration()) {
+    const std::string unit = coefficient_unit(coefficient.term, output);
+    return coefficient.standard_error
+               ? fmt::format("{} ± {} {}", uncertain_text(coefficient.value, coefficient.standard_error),
+                             significant_text(*coefficient.standard_error, 2), unit)
+               : fmt::format("{} {}", significant_text(coefficient.value, 6), unit);
+  }
   const ReadableUnit unit = readable_unit(coefficient.term);
   const double value = (coefficient.value - unit.offset) * unit.factor;
   const std::string label = coefficient.term == Term::Ki ? "Ki-1 = " : "";
@@ -44,24 +52,21 @@ std::string p_text(const std::optional<double>& p) {
 }
 
 std::vector<std::string> cells(const Coefficient& c, const Unit& output) {
-  const std::string last = output.is_acceleration() ? readable(c) : coefficient_unit(c.term, output);
   return {std::string(name(c.term)),
+          readable(c, output),
           uncertain_text(c.value, c.standard_error),
           optional_text(c.standard_error, 3),
-          interval_text(c),
           optional_text(c.t, 4),
           p_text(c.p),
-          last};
+          interval_text(c)};
 }
 
 void write_coefficients(TerminalText& out, std::span<const Coefficient> coefficients, const Unit& output) {
-  TextTable table(
-      {"term", "value", "std. error", "95 % interval", "t", "p", output.is_acceleration() ? "reads" : "unit"},
-      true);
+  TextTable table({"term", "reads", "value", "std. error", "t", "p", "95 % interval"}, Left::second_too);
   for (const Coefficient& c : coefficients) {
     if (c.identified) table.add(cells(c, output));
   }
-  out.table(table);
+  out.first_columns(table);
   for (const Coefficient& c : coefficients) {
     if (!c.identified) {
       out.warning(
@@ -87,12 +92,12 @@ void write_mape_rows(TerminalText& out, const Identification& result) {
 }
 
 void write_metrics(TerminalText& out, const Identification& result) {
-  TextTable table({"part", "rows", "MAE", "MSE", "RMSE", "MAPE %", "R²"});
+  TextTable table({"part", "rows", "RMSE", "MAE", "R²", "MAPE %", "MSE"});
   const auto add = [&table](const char* part, const std::optional<Metrics>& m) {
     if (!m) return;
-    table.add({part, std::to_string(m->n), significant_text(m->mae, 5), significant_text(m->mse, 5),
-               significant_text(m->rmse, 5), optional_text(m->mape_percent, 4),
-               m->r2 ? determination_text(*m->r2) : "-"});
+    table.add({part, std::to_string(m->n), significant_text(m->rmse, 5), significant_text(m->mae, 5),
+               m->r2 ? determination_text(*m->r2) : "-", optional_text(m->mape_percent, 4),
+               significant_text(m->mse, 5)});
   };
   add("train", result.train);
   add("validation", result.validation);
@@ -100,7 +105,7 @@ void write_metrics(TerminalText& out, const Identification& result) {
   add("leave one out", result.leave_one_out);
   add("leave one mount out", result.leave_one_mount_out);
   out.heading(fmt::format("Errors, in {}", result.output_unit.symbol));
-  out.table(table);
+  out.first_columns(table);
   write_mape_rows(out, result);
 }
 

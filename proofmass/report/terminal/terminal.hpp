@@ -2,6 +2,7 @@
 // Results as text for people.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "proofmass/core/run.hpp"
@@ -9,7 +10,8 @@
 namespace proofmass {
 
 struct TerminalStyle {
-  bool colour = false;  // ANSI escapes for headings and warnings
+  bool colour = false;     // ANSI escapes for headings and warnings
+  std::size_t width = 80;  // columns of a line; 0: any
 };
 
 // Coefficients with their uncertainties, the terms that could not be identified and why, the metrics of each
@@ -17,7 +19,7 @@ struct TerminalStyle {
 // the coefficients referred to input follow.
 [[nodiscard]] std::string render_table(const Identification& result, const TerminalStyle& style = {});
 
-// The same of a run, without colour.
+// The same of a run, without colour, in 80 columns.
 [[nodiscard]] std::string summary(const Run& run);
 
 }  // namespace proofmass

@@ -12,6 +12,7 @@
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/terminal/comparison.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
+#include "proofmass/report/terminal/wrapped_text.hpp"
 
 namespace proofmass {
 namespace {
@@ -90,8 +91,9 @@ TEST(Terminal, SaysOverWhichRowsThePercentageErrorIs) {
   Identification result = result_in("g");
   EXPECT_EQ(render_table(result).find("MAPE leaves out"), std::string::npos);
   result.train->mape_rows = 68;
-  EXPECT_NE(line_with(render_table(result), "MAPE leaves out").find("over 68 of 70 training rows"),
-            std::string::npos);
+  EXPECT_NE(
+      line_with(render_table(result, {.width = 0}), "MAPE leaves out").find("over 68 of 70 training rows"),
+      std::string::npos);
 }
 
 TEST(Terminal, SummaryIsTheTableWithoutColour) {
@@ -114,6 +116,42 @@ TEST(Terminal, GivesOtherOutputsRawAndReferredToInput) {
   ASSERT_NE(second, std::string::npos);
   EXPECT_NE(line_with(text.substr(second), "Kii").find("µg/g²"), std::string::npos) << text;
   EXPECT_EQ(line_with(text.substr(second), "  Ki "), "") << text;
+}
+
+std::size_t longest_line(const std::string& text) {
+  std::size_t longest = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) longest = std::max(longest, display_width(line));
+  return longest;
+}
+
+TEST(Terminal, KeepsToItsWidth) {
+  Identification result = result_in("mA");
+  result.findings = {said(std::string(30, 'a') + " " + std::string(60, 'b') + " c", Severity::warning)};
+  EXPECT_LE(longest_line(render_table(result)), 80U) << render_table(result);
+  EXPECT_NE(render_table(result).find("(--wide)"), std::string::npos);
+  const std::string wide = render_table(result, {.width = 0});
+  EXPECT_GT(longest_line(wide), 90U);
+  EXPECT_NE(line_with(wide, "term").find("95 % interval"), std::string::npos) << wide;
+  EXPECT_EQ(wide.find("--wide"), std::string::npos);
+  // What it reads comes first.
+  EXPECT_LT(line_with(wide, "term").find("reads"), line_with(wide, "term").find("value"));
+}
+
+TEST(Terminal, GoesOnWithColumnsThatDoNotFit) {
+  TextTable table({"term", "first", "second", "third"});
+  table.add({"Ki", "0.999979", "1.000021", "3"});
+  std::vector<std::string> lines;
+  for (const TextTable& part : table.parts(24)) {
+    for (const std::string& line : part.lines()) lines.push_back(line);
+  }
+  EXPECT_EQ(lines, (std::vector<std::string>{"  term     first", "  Ki    0.999979",
+                                             "  term    second  third", "  Ki    1.000021      3"}));
+  EXPECT_EQ(table.fitting(24).columns(), 2U);
+  TextTable words({"model", "unidentifiable"}, Left::last_too);
+  words.add({"full", "Kii, Koq, Kiii, Kio, Kip"});
+  EXPECT_EQ(words.lines(30), (std::vector<std::string>{"  model  unidentifiable",
+                                                       "  full   Kii, Koq, Kiii, Kio,", "         Kip"}));
 }
 
 TEST(Terminal, ColoursOnlyWhenAsked) {

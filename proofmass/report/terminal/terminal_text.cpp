@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/terminal/terminal_text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "proofmass/report/terminal/wrapped_text.hpp"
+
 namespace proofmass {
+namespace {
+
+constexpr std::size_t kIndent = 2;  // of the lines that a long one goes on in
+
+}  // namespace
 
 void TerminalText::coloured(std::string_view escape, std::string_view text) {
   if (style_.colour) text_ += escape;
@@ -15,15 +25,37 @@ void TerminalText::heading(std::string_view text) {
   coloured("\x1b[1m", text);
 }
 
-void TerminalText::line(std::string_view text) { text_.append(text).append("\n"); }
+void TerminalText::line(std::string_view text) {
+  for (const std::string& part : wrapped_lines(text, style_.width, kIndent)) text_.append(part).append("\n");
+}
 
-void TerminalText::warning(std::string_view text) { coloured("\x1b[33m", text); }
+void TerminalText::warning(std::string_view text) {
+  for (const std::string& part : wrapped_lines(text, style_.width, kIndent)) coloured("\x1b[33m", part);
+}
+
+void TerminalText::rows(const TextTable& table) {
+  bool header = true;
+  for (const std::string& row : table.lines(style_.width)) {
+    header ? coloured("\x1b[2m", row) : void(text_.append(row).append("\n"));
+    header = false;
+  }
+}
 
 void TerminalText::table(const TextTable& table) {
-  bool header = true;
-  for (const std::string& row : table.lines()) {
-    header ? coloured("\x1b[2m", row) : line(row);
-    header = false;
+  bool first = true;
+  for (const TextTable& part : table.parts(style_.width)) {
+    if (!first) text_ += '\n';
+    rows(part);
+    first = false;
+  }
+}
+
+void TerminalText::first_columns(const TextTable& table) {
+  const TextTable fitting = table.fitting(style_.width);
+  rows(fitting);
+  if (fitting.columns() < table.columns()) {
+    const auto names = table.header().subspan(fitting.columns());
+    line(fmt::format("not shown in {} columns: {} (--wide)", style_.width, fmt::join(names, ", ")));
   }
 }
 

@@ -2,7 +2,47 @@
 // What in a record or a fit cannot be what it claims: cause, consequence, remedy.
 #include "proofmass/report/text/en_diagnosis.hpp"
 
+#include <array>
+
 namespace proofmass {
+namespace {
+
+struct NamedPhrase {
+  std::string_view figure;
+  std::string_view word;
+  std::string_view phrase;
+};
+constexpr std::array kPhrases{
+    NamedPhrase{"hint", "output_si", "the output seems to be in m/s². State its unit: E[m/s^2]"},
+    NamedPhrase{"hint", "inputs_si", "the inputs seem to be in m/s². State their unit: Ai[m/s^2]"},
+    NamedPhrase{"hint", "output_milli", "the output seems to be in mg. State its unit: E[mg]"},
+    NamedPhrase{"hint", "inputs_milli", "the inputs seem to be in mg. State their unit: Ai[mg]"},
+    NamedPhrase{"hint", "output_micro", "the output seems to be in ug. State its unit: E[ug]"},
+    NamedPhrase{"hint", "output_milli_si", "the output seems to be in mm/s². State its unit: E[mm/s^2]"},
+    NamedPhrase{"hint", "undeclared", "no unit is declared for E, and g is assumed. State it, as in E[V]"},
+    NamedPhrase{"hint", "declared",
+                "the unit of E or of the inputs is not what the record says, or the wrong column is read"},
+    NamedPhrase{"reason", "terms",
+                "terms of the static model that are left out explain most of it. Use --model full "
+                "--on-rank-loss drop"},
+    NamedPhrase{"reason", "rows",
+                "a few rows are far off, the others are not. Use --method robust, and look at the rows that "
+                "it suspects"},
+    NamedPhrase{
+        "reason", "shifted",
+        "the outputs follow the inputs of rows {shift:.0f} away: the columns are shifted against each other"},
+    NamedPhrase{"reason", "angles",
+                "the outputs follow the cosine of the inputs in degrees: the inputs are angles of a dividing "
+                "head, and Ai = cos(angle)"},
+    NamedPhrase{
+        "reason", "unrelated",
+        "the output hardly depends on the inputs. The wrong column is read, or rows are in another order"},
+    NamedPhrase{"reason", "unknown",
+                "the inputs explain part of the output only. Plot the output against each input"},
+    NamedPhrase{"which", "largest", "largest"},
+    NamedPhrase{"which", "smallest", "smallest"}};
+
+}  // namespace
 
 std::string_view english_diagnosis(Code code) noexcept {
   switch (code) {
@@ -83,39 +123,8 @@ std::string_view english_diagnosis(Code code) noexcept {
 }
 
 std::string_view english_diagnosis_phrase(std::string_view figure, std::string_view word) noexcept {
-  if (figure == "hint") {
-    if (word == "output_si") return "the output seems to be in m/s². State its unit: E[m/s^2]";
-    if (word == "inputs_si") return "the inputs seem to be in m/s². State their unit: Ai[m/s^2]";
-    if (word == "output_milli") return "the output seems to be in mg. State its unit: E[mg]";
-    if (word == "inputs_milli") return "the inputs seem to be in mg. State their unit: Ai[mg]";
-    if (word == "output_micro") return "the output seems to be in ug. State its unit: E[ug]";
-    if (word == "output_milli_si") return "the output seems to be in mm/s². State its unit: E[mm/s^2]";
-    if (word == "undeclared") return "no unit is declared for E, and g is assumed. State it, as in E[V]";
-    if (word == "declared")
-      return "the unit of E or of the inputs is not what the record says, or the wrong column is read";
-  }
-  if (figure == "reason") {
-    if (word == "terms")
-      return "terms of the static model that are left out explain most of it. Use --model full "
-             "--on-rank-loss drop";
-    if (word == "rows")
-      return "a few rows are far off, the others are not. Use --method robust, and look at the rows that it "
-             "suspects";
-    if (word == "shifted")
-      return "the outputs follow the inputs of rows {shift:.0f} away: the columns are shifted against each "
-             "other";
-    if (word == "angles")
-      return "the outputs follow the cosine of the inputs in degrees: the inputs are angles of a dividing "
-             "head, and Ai = cos(angle)";
-    if (word == "unrelated")
-      return "the output hardly depends on the inputs. The wrong column is read, or rows are in another "
-             "order";
-    if (word == "unknown")
-      return "the inputs explain part of the output only. Plot the output against each input";
-  }
-  if (figure == "which") {
-    if (word == "largest") return "largest";
-    if (word == "smallest") return "smallest";
+  for (const NamedPhrase& one : kPhrases) {
+    if (one.figure == figure && one.word == word) return one.phrase;
   }
   return {};
 }

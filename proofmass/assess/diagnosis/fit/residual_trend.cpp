@@ -47,6 +47,7 @@ Trend strongest_trend(const FittedRows& rows, const std::vector<double>& quantit
   if (!(*high > *low)) return strongest;
   for (std::size_t degree = 0; degree < 3; ++degree) {
     std::vector<double> polynomial;
+    polynomial.reserve(quantity.size());
     for (const double q : quantity)
       polynomial.push_back(polynomials(2.0 * (q - *low) / (*high - *low) - 1.0)[degree]);
     const Trend trend = trend_along(rows, polynomial, code);
