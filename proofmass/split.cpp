@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -83,6 +84,12 @@ std::vector<std::size_t> rows_of(const std::vector<std::vector<std::size_t>>& me
 
 Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed) {
   const auto [training, validation] = part_sizes(rows, options);
+  if (training == rows && validation == 0) {
+    Split all;
+    all.training.resize(rows);
+    std::iota(all.training.begin(), all.training.end(), std::size_t{0});
+    return all;
+  }
   RandomStream random(seed, stream_id("split"));
   const std::vector<std::size_t> order = random_permutation(rows, random);
   const auto part = [&order](std::size_t first, std::size_t last) {

@@ -29,7 +29,6 @@ struct Pairs {
   std::vector<std::size_t> same;    // those that have its output too
   std::vector<double> differences;  // of the outputs of the others
   std::size_t first_original = 0;   // what the first of `same` repeats
-  bool continuous_inputs = false;   // no planned repetitions
 };
 
 // Whether hardly two rows have the same value along the record's first axis, as in random directions: then
@@ -57,15 +56,15 @@ Pairs pairs_of(const Dataset& record) {
       pairs.same.push_back(row);
     }
   }
-  pairs.continuous_inputs = has_continuous_inputs(record);
   return pairs;
 }
 
 // Whether rounding explains that so many of the pairs have one output.
-bool explained_by_rounding(const Pairs& pairs, const OutputResolution& resolution, std::size_t rows) {
+bool explained_by_rounding(const Pairs& pairs, const Dataset& record) {
+  const OutputResolution resolution = output_resolution(record);
   if (pairs.differences.empty()) {
-    if (pairs.continuous_inputs) return false;
-    const bool planned = 2 * pairs.count >= rows;
+    if (has_continuous_inputs(record)) return false;
+    const bool planned = 2 * pairs.count >= record.rows();
     return pairs.count < kFewPairs || (planned && resolution.step >= kFineOutput * resolution.range);
   }
   const double sd = median_scale(pairs.differences, 0);
@@ -82,8 +81,7 @@ bool explained_by_rounding(const Pairs& pairs, const OutputResolution& resolutio
 std::optional<Finding> find_duplicated_rows(const Dataset& record) {
   if (record.rows() < 2 || record.rows() > kMostRows || record.axes().empty()) return std::nullopt;
   const Pairs pairs = pairs_of(record);
-  if (pairs.same.empty() || explained_by_rounding(pairs, output_resolution(record), record.rows()))
-    return std::nullopt;
+  if (pairs.same.empty() || explained_by_rounding(pairs, record)) return std::nullopt;
   return Finding{.code = Code::rows_duplicated,
                  .severity = Severity::warning,
                  .lines = record.lines_of(pairs.same),

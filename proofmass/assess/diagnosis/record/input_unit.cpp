@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 
 namespace proofmass {
@@ -31,15 +33,18 @@ struct Magnitudes {
 };
 
 // Of |A|; of the largest |Ai| alone where the record has no other axis, for a tumble passes through zero.
-Magnitudes magnitudes(const Dataset& record) {
-  Magnitudes range{.least = std::hypot(record.at(0).i, record.at(0).o, record.at(0).p), .greatest = 0.0};
+// Nothing where |A| varies by more than one value of gravity explains.
+std::optional<Magnitudes> magnitudes(const Dataset& record) {
+  const bool one_axis = record.axes() == std::vector<Axis>{Axis::input};
+  Magnitudes range{.least = std::numeric_limits<double>::infinity(), .greatest = 0.0};
   for (std::size_t row = 0; row < record.rows(); ++row) {
     const Acceleration a = record.at(row);
-    const double magnitude = std::hypot(a.i, a.o, a.p);
+    const double magnitude = std::sqrt(a.i * a.i + a.o * a.o + a.p * a.p);
     range.least = std::min(range.least, magnitude);
     range.greatest = std::max(range.greatest, magnitude);
+    if (!one_axis && range.least < (1.0 - 3.0 * kTolerance) * range.greatest) return std::nullopt;
   }
-  if (record.axes() == std::vector<Axis>{Axis::input}) {
+  if (one_axis) {
     const auto [low, high] =
         std::minmax_element(record.along(Axis::input).begin(), record.along(Axis::input).end());
     if (*low < 0.0 && std::abs(*low + *high) < kTolerance * *high) range.least = range.greatest;
@@ -51,16 +56,17 @@ Magnitudes magnitudes(const Dataset& record) {
 
 std::optional<Finding> find_other_input_unit(const Dataset& record) {
   if (record.rows() < 2 || record.axes().empty()) return std::nullopt;
-  const Magnitudes range = magnitudes(record);
+  const auto range = magnitudes(record);
+  if (!range) return std::nullopt;
   for (const Mistake& mistake : kMistakes) {
     if (record.acceleration_unit.symbol != mistake.read) continue;
-    if (range.least < (1.0 - kTolerance) * mistake.one_g ||
-        range.greatest > (1.0 + kTolerance) * mistake.one_g)
+    if (range->least < (1.0 - kTolerance) * mistake.one_g ||
+        range->greatest > (1.0 + kTolerance) * mistake.one_g)
       continue;
     return Finding{.code = Code::inputs_in_other_unit,
                    .severity = Severity::warning,
-                   .figures = {{"least", range.least / record.acceleration_unit.to_canonical},
-                               {"largest", range.greatest / record.acceleration_unit.to_canonical},
+                   .figures = {{"least", range->least / record.acceleration_unit.to_canonical},
+                               {"largest", range->greatest / record.acceleration_unit.to_canonical},
                                {"read", std::string(mistake.read)},
                                {"written", std::string(mistake.written)}}};
   }
