@@ -108,6 +108,47 @@ INSTANTIATE_TEST_SUITE_P(
         RecordCase{"angles.csv", {}, 1.0, {}, {"Ai = cos(angle)"}}),
     name_of);
 
+// Records that can be read and cannot be what they claim: what stands above their numbers.
+struct NonsenseCase {
+  std::string file;
+  std::string code;
+  std::string part;  // of the sentence
+};
+
+void PrintTo(const NonsenseCase& one, std::ostream* out) { *out << one.file; }
+
+class NonsenseCases : public CommandLine, public testing::WithParamInterface<NonsenseCase> {};
+
+TEST_P(NonsenseCases, AreWarnedOf) {
+  const auto folder = reference_data("../cases/records");
+  if (!folder) GTEST_SKIP() << kNoReferenceData;
+  const Outcome outcome = proofmass({"identify", (*folder / GetParam().file).string(), "--model", "linear",
+                                     "--wide", "--json", at("r.json")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  bool found = false;
+  const Json result = read_json("r.json");
+  for (const Json& finding : result["findings"]) {
+    found = found || (finding["code"] == GetParam().code && finding["severity"] == "warning");
+  }
+  EXPECT_TRUE(found);
+  // Above the table.
+  const std::size_t at = outcome.out.find(GetParam().part);
+  EXPECT_LT(at, outcome.out.find("std. error")) << outcome.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Benches, NonsenseCases,
+    testing::Values(
+        NonsenseCase{"no-units-but-si.csv", "scale_factor_unlike_one", "no unit is declared for E"},
+        NonsenseCase{"output-in-milli-g.csv", "scale_factor_unlike_one", "E[mg]"},
+        NonsenseCase{"counts-wrapped-16-bit.csv", "output_wrapped", "2^16 = 65536"},
+        NonsenseCase{"sign-inverted.csv", "scale_factor_negative", "Ki is negative"},
+        NonsenseCase{"axes-swapped.csv", "cross_axis_larger", "is larger than Ki"},
+        NonsenseCase{"clipped.csv", "output_clipped", "lines 39, 78"},
+        NonsenseCase{"stuck-output.csv", "output_held", "lines 32 to 46"},
+        NonsenseCase{"warm-up-drift.csv", "residuals_follow_temperature", "the residuals follow T"}),
+    [](const auto& param) { return param.param.code + "_" + std::to_string(param.index); });
+
 // A tumble in 1 g whose inputs have three decimals.
 using RoundedRecords = CommandLine;
 TEST_F(RoundedRecords, NameTheTermsThatRoundingSetsApart) {

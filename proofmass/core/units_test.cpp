@@ -42,7 +42,8 @@ TEST(Units, SpellingsOfOneUnitAgree) {
   const std::pair<const char*, const char*> spellings[] = {
       {"\u00B5g", "ug"}, {"\u03BCg", "ug"},        {"\u00B5V", "uV"},   {"m/s\u00B2", "m/s^2"},
       {"m/s2", "m/s^2"}, {"mm/s\u00B2", "mm/s^2"}, {"\u00B0C", "degC"}, {"C", "degC"},
-      {"LSB", "counts"}, {"count", "counts"}};
+      {"LSB", "counts"}, {"count", "counts"},      {"gn", "g"},         {"VDC", "V"},
+      {"mADC", "mA"},    {"cnts", "counts"}};
   for (const auto& [written, symbol] : spellings) {
     const auto unit = find_unit(written);
     ASSERT_TRUE(unit) << written;

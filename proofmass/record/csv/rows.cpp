@@ -247,6 +247,8 @@ bool RowParser::is_repeated_header(std::string_view line, std::size_t line_numbe
   if (line == format_.header.text) return true;
   const auto begin = line.find_first_not_of("# \t");
   if (begin == std::string_view::npos) return false;
+  // Two names of columns have other letters than exponents have; most lines end here.
+  if (line.find_first_not_of("0123456789.,;+-eEdD\"# \t") == std::string_view::npos) return false;
   const std::string marked = separated_by_marks(line.substr(begin), format_.header.separation);
   std::vector<std::string> cells;
   std::size_t known = 0;
