@@ -170,6 +170,11 @@ std::vector<Fault> faults() {
          to_counts(r, 300'000.0);
          for (double& e : r.output) e += e < 0.0 ? 16'777'216.0 : 0.0;
        }},
+      {Code::output_wrapped, "means_of_12_bits",
+       [](Dataset& r) {
+         to_counts(r, 90.0);
+         for (double& e : r.output) e += e < 0.0 ? 4096.25 : 0.25;
+       }},
       {Code::rows_duplicated, "block", repeat_rows},
       {Code::time_backwards, "once", [](Dataset& r) { r.time[100] = 1.0; }},
       {Code::time_standing, "stopped",

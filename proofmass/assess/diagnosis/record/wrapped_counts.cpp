@@ -20,8 +20,11 @@ constexpr double kLargeCross = 0.5;  // of the scale factor
 constexpr double kSmallCross = 0.1;
 constexpr std::size_t kLeastRows = 6;
 
-bool whole_numbers(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double v) { return v == std::nearbyint(v); });
+// Whole numbers, or what is said to be counts: their means are none.
+bool are_counts(const Dataset& record) {
+  return record.output_unit.quantity == Quantity::count ||
+         std::all_of(record.output.begin(), record.output.end(),
+                     [](double v) { return v == std::nearbyint(v); });
 }
 
 // Where the outputs are farthest apart: the largest output below the gap, and the width of the gap.
@@ -52,7 +55,7 @@ bool is_plainer(const LinearFit& unwrapped, const LinearFit& before) {
 }  // namespace
 
 std::optional<Finding> find_wrapped_counts(const Dataset& record) {
-  if (record.rows() < kLeastRows || !whole_numbers(record.output)) return std::nullopt;
+  if (record.rows() < kLeastRows || !are_counts(record)) return std::nullopt;
   Dataset rows = record.select(thinned_rows(record.rows()));
   const auto [least, greatest] = std::minmax_element(record.output.begin(), record.output.end());
   const double range = *greatest - *least;
