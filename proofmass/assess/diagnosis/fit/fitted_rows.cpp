@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "proofmass/assess/diagnosis/record/output_resolution.hpp"
 #include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
@@ -99,20 +100,26 @@ FittedRows::FittedRows(const Dataset& record, std::span<const std::size_t> train
   has_noise_ = dof_ >= kLeastDof && scale_ > rounding_of(record_);
   if (!(scale_ > 0.0)) return;
   for (const double r : residuals_) bounded_.push_back(std::clamp(r / scale_, -kBound, kBound));
-  if (dof_ > 0) bounded_variance_ = dot(bounded_, bounded_) / static_cast<double>(dof_);
+  if (dof_ > 0) bounded_variance_ = sum_of_squares(bounded_) / static_cast<double>(dof_);
 }
 
-std::vector<double> FittedRows::beyond_terms(std::vector<double> values) const {
-  for (std::size_t c = 0; c < basis_.columns(); ++c) {
-    const std::span<const double> column = basis_.column(c);
+std::vector<double> beyond_columns(const Matrix& basis, std::vector<double> values) {
+  for (std::size_t c = 0; c < basis.columns(); ++c) {
+    const std::span<const double> column = basis.column(c);
     const double along = dot(column, values);
     for (std::size_t row = 0; row < values.size(); ++row) values[row] -= along * column[row];
   }
   return values;
 }
 
+double sum_of_squares(std::span<const double> values) { return dot(values, values); }
+
+std::vector<double> FittedRows::beyond_terms(std::vector<double> values) const {
+  return beyond_columns(basis_, std::move(values));
+}
+
 Departure FittedRows::departure(std::span<const double> weights) const {
-  const double size = dot(weights, weights);
+  const double size = sum_of_squares(weights);
   const double alike = dot(weights, bounded_) / std::sqrt(size * bounded_variance_);
   const double slope = dot(weights, residuals_) / size;
   double squares = 0.0;

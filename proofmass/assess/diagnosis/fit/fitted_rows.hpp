@@ -56,6 +56,11 @@ class FittedRows {
   double bounded_variance_ = 1.0;
 };
 
+// What of the values no combination of the orthonormal columns of a basis gives.
+[[nodiscard]] std::vector<double> beyond_columns(const Matrix& basis, std::vector<double> values);
+
+[[nodiscard]] double sum_of_squares(std::span<const double> values);
+
 // An orthonormal basis of these terms over the rows; of those only that the rows can tell apart.
 [[nodiscard]] Matrix orthonormal_rows(const Dataset& rows, const TermList& terms);
 

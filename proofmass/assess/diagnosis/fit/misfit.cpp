@@ -31,13 +31,7 @@ bool explains(const Matrix& basis, std::span<const double> output) {
   const auto n = static_cast<double>(output.size());
   const auto dof = n - static_cast<double>(basis.columns());
   if (dof < 1.0) return false;
-  std::vector<double> left(output.begin(), output.end());
-  for (std::size_t c = 0; c < basis.columns(); ++c) {
-    const std::span<const double> column = basis.column(c);
-    const double along = std::inner_product(column.begin(), column.end(), left.begin(), 0.0);
-    for (std::size_t row = 0; row < left.size(); ++row) left[row] -= along * column[row];
-  }
-  const double rss = std::inner_product(left.begin(), left.end(), left.begin(), 0.0);
+  const double rss = sum_of_squares(beyond_columns(basis, {output.begin(), output.end()}));
   return 1.0 - rss / dof * (n - 1.0) / total(output) > kGross;
 }
 

@@ -25,14 +25,10 @@ struct Trend {
 // Legendre polynomials of degree 1 to 3 at x in [-1, 1].
 std::array<double, 3> polynomials(double x) { return {x, 1.5 * x * x - 0.5, (2.5 * x * x - 1.5) * x}; }
 
-double square(const std::vector<double>& values) {
-  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
-
 Trend trend_along(const FittedRows& rows, const std::vector<double>& polynomial, Code code) {
   const std::vector<double> beyond = rows.beyond_terms(polynomial);
-  const double size = square(beyond);
-  if (!(size > kLeastTrendLeft * square(polynomial))) return {};
+  const double size = sum_of_squares(beyond);
+  if (!(size > kLeastTrendLeft * sum_of_squares(polynomial))) return {};
   const double slope = std::inner_product(beyond.begin(), beyond.end(), rows.residuals().begin(), 0.0) / size;
   const auto [least, greatest] = std::minmax_element(polynomial.begin(), polynomial.end());
   return {

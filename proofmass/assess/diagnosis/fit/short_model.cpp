@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <variant>
 #include <vector>
 
@@ -17,10 +16,6 @@ constexpr std::size_t kMostNamed = 4;
 
 bool takes_terms_as_given(const Identification& result) {
   return !result.network && !std::holds_alternative<GmdhDetails>(result.details);
-}
-
-double square_of(const std::vector<double>& values) {
-  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
 struct Missing {
@@ -40,9 +35,9 @@ std::optional<Finding> find_short_model(const FittedRows& rows, const Identifica
     std::vector<double> values(rows.rows());
     for (std::size_t row = 0; row < values.size(); ++row)
       values[row] = regressor(term, rows.record().at(row));
-    const double before = square_of(values);
+    const double before = sum_of_squares(values);
     const std::vector<double> beyond = rows.beyond_terms(std::move(values));
-    if (!(square_of(beyond) > kLeastTermLeft * before)) continue;
+    if (!(sum_of_squares(beyond) > kLeastTermLeft * before)) continue;
     const Departure departure = rows.departure(beyond);
     if (departure.probability < kUnlikelyTerm) missing.push_back({term, std::abs(departure.errors)});
   }
