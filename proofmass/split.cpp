@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 
+#include "proofmass/core/dataset.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/numeric/random.hpp"
 
@@ -41,18 +40,6 @@ std::pair<std::size_t, std::size_t> part_sizes(std::size_t rows, const SplitOpti
         fmt::format("a validation fraction of {} leaves no validation row of {}", validation, rows));
   }
   return {count(training), count(validation)};
-}
-
-// The rows of each mount, in the order of its first row.
-std::vector<std::vector<std::size_t>> rows_by_mount(std::span<const std::string> mounts) {
-  std::unordered_map<std::string_view, std::size_t> place;
-  std::vector<std::vector<std::size_t>> members;
-  for (std::size_t row = 0; row < mounts.size(); ++row) {
-    const auto [entry, is_new] = place.try_emplace(mounts[row], members.size());
-    if (is_new) members.emplace_back();
-    members[entry->second].push_back(row);
-  }
-  return members;
 }
 
 // How many mounts, in that order, have nearest to `rows` rows; at least `least` and at most `most`.
@@ -106,8 +93,8 @@ Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t se
 Split split_mounts(std::span<const std::string> mounts, const SplitOptions& options, std::uint64_t seed) {
   const auto [training, validation] = part_sizes(mounts.size(), options);
   const std::vector<std::vector<std::size_t>> members = rows_by_mount(mounts);
-  const std::size_t parts = std::size_t{1} + static_cast<std::size_t>(options.training_fraction < 1.0) +
-                            static_cast<std::size_t>(validation > 0);
+  const std::size_t set_aside = options.training_fraction < 1.0 ? 1 : 0;
+  const std::size_t parts = 1 + set_aside + (validation > 0 ? std::size_t{1} : 0);
   if (members.size() < parts) {
     throw usage_error(
         fmt::format("whole mounts cannot be set aside: the record has {} and {} parts need one each",
@@ -115,7 +102,6 @@ Split split_mounts(std::span<const std::string> mounts, const SplitOptions& opti
   }
   RandomStream random(seed, stream_id("split mounts"));
   const std::vector<std::size_t> order = random_permutation(members.size(), random);
-  const std::size_t set_aside = options.training_fraction < 1.0 ? 1 : 0;
   const std::size_t most = members.size() - set_aside;
   const std::size_t validating = validation > 0 ? mounts_near(members, order, validation, 1, most - 1) : 0;
   const std::size_t used =

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "proofmass/assess/diagnosis/diagnosis.hpp"
 #include "proofmass/assess/diagnosis/record/repeats.hpp"
@@ -44,12 +43,8 @@ void add_columns(Inspection& inspection, const Dataset& record) {
 
 std::vector<MountSummary> summarise_mounts(const std::vector<std::string>& labels) {
   std::vector<MountSummary> mounts;
-  std::unordered_map<std::string, std::size_t> place;
-  for (const std::string& label : labels) {
-    const auto [entry, is_new] = place.try_emplace(label, mounts.size());
-    if (is_new) mounts.push_back({.name = label, .rows = 0});
-    ++mounts[entry->second].rows;
-  }
+  for (const auto& rows : rows_by_mount(labels))
+    mounts.push_back({.name = labels[rows.front()], .rows = rows.size()});
   return mounts;
 }
 

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <string_view>
-#include <unordered_map>
+#include <string>
 #include <vector>
 
 #include "proofmass/assess/metrics.hpp"
@@ -24,11 +23,11 @@ struct Mounts {
 };
 
 Mounts mounts_of(const std::vector<std::string>& labels) {
-  Mounts mounts;
-  std::unordered_map<std::string_view, std::size_t> place;
-  for (const std::string& label : labels)
-    mounts.of_row.push_back(place.try_emplace(label, place.size()).first->second);
-  mounts.count = place.size();
+  const auto members = rows_by_mount(labels);
+  Mounts mounts{.of_row = std::vector<std::size_t>(labels.size()), .count = members.size()};
+  for (std::size_t mount = 0; mount < members.size(); ++mount) {
+    for (const std::size_t row : members[mount]) mounts.of_row[row] = mount;
+  }
   return mounts;
 }
 

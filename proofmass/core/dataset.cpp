@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/core/dataset.hpp"
 
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+
 namespace proofmass {
 namespace {
 
@@ -23,11 +27,15 @@ std::vector<Axis> Dataset::axes() const {
   return present;
 }
 
+std::array<double, 3> across_axes(const std::array<std::vector<double>, 3>& columns,
+                                  std::size_t row) noexcept {
+  const auto along = [row](const std::vector<double>& column) { return column.empty() ? 0.0 : column[row]; };
+  return {along(columns[0]), along(columns[1]), along(columns[2])};
+}
+
 Acceleration Dataset::at(std::size_t row) const noexcept {
-  const auto along_axis = [this, row](std::size_t axis) {
-    return acceleration[axis].empty() ? 0.0 : acceleration[axis][row];
-  };
-  return {.i = along_axis(0), .o = along_axis(1), .p = along_axis(2)};
+  const auto [i, o, p] = across_axes(acceleration, row);
+  return {.i = i, .o = o, .p = p};
 }
 
 std::vector<std::size_t> Dataset::lines_of(std::span<const std::size_t> rows) const {
@@ -59,6 +67,17 @@ Dataset Dataset::select(std::span<const std::size_t> rows) const {
   part.source = source;
   part.source_sha256 = source_sha256;
   return part;
+}
+
+std::vector<std::vector<std::size_t>> rows_by_mount(std::span<const std::string> mounts) {
+  std::unordered_map<std::string_view, std::size_t> place;
+  std::vector<std::vector<std::size_t>> members;
+  for (std::size_t row = 0; row < mounts.size(); ++row) {
+    const auto [entry, is_new] = place.try_emplace(mounts[row], members.size());
+    if (is_new) members.emplace_back();
+    members[entry->second].push_back(row);
+  }
+  return members;
 }
 
 }  // namespace proofmass

@@ -68,4 +68,11 @@ struct Dataset {
   [[nodiscard]] Dataset select(std::span<const std::size_t> rows) const;
 };
 
+// One row of three columns, one an axis; a column without values counts as zero.
+[[nodiscard]] std::array<double, 3> across_axes(const std::array<std::vector<double>, 3>& columns,
+                                                std::size_t row) noexcept;
+
+// The rows of each mount, by the labels of the rows, in the order of its first row.
+[[nodiscard]] std::vector<std::vector<std::size_t>> rows_by_mount(std::span<const std::string> mounts);
+
 }  // namespace proofmass
