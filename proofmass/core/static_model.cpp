@@ -17,6 +17,18 @@ double StaticModel::slope(const Acceleration& a, Axis axis) const noexcept {
   return sum;
 }
 
+double StaticModel::variance_from_inputs(const Acceleration& a,
+                                         const std::array<double, 3>& sigma) const noexcept {
+  double variance = 0.0;
+  for (const Axis axis : kAxes) {
+    const double own = sigma[static_cast<std::size_t>(axis)];
+    if (own == 0.0) continue;
+    const double part = slope(a, axis) * own;
+    variance += part * part;
+  }
+  return variance;
+}
+
 double StaticModel::coefficient(Term term) const noexcept {
   const auto found = std::find(terms.begin(), terms.end(), term);
   return found == terms.end() ? 0.0 : coefficients[static_cast<std::size_t>(found - terms.begin())];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "proofmass/core/term.hpp"
@@ -16,6 +17,9 @@ struct StaticModel {
   [[nodiscard]] double output(const Acceleration& a) const noexcept;
   // dE/dA along an axis.
   [[nodiscard]] double slope(const Acceleration& a, Axis axis) const noexcept;
+  // The variance that standard uncertainties of the inputs, one an axis, give the output, to first order.
+  [[nodiscard]] double variance_from_inputs(const Acceleration& a,
+                                            const std::array<double, 3>& sigma) const noexcept;
   // The coefficient of a term; 0 when the model does not contain the term.
   [[nodiscard]] double coefficient(Term term) const noexcept;
 };

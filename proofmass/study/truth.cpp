@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -17,21 +16,6 @@ namespace {
 bool noisy_inputs(const SimulationPlan& plan) {
   return std::any_of(plan.input_sigma.begin(), plan.input_sigma.end(),
                      [](double sigma) { return sigma > 0.0; });
-}
-
-// Variance that input noise adds to the output at a point.
-double variance_through_inputs(const SimulationPlan& plan, const StaticModel& truth, const Acceleration& a) {
-  constexpr double h = 1e-4;
-  const std::array<Acceleration, 3> steps{{{.i = h}, {.o = h}, {.p = h}}};
-  double variance = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Acceleration& s = steps[axis];
-    const double slope =
-        (truth.output({a.i + s.i, a.o + s.o, a.p + s.p}) - truth.output({a.i - s.i, a.o - s.o, a.p - s.p})) /
-        (2.0 * h);
-    variance += std::pow(slope * plan.input_sigma[axis], 2);
-  }
-  return variance;
 }
 
 // Location information of the plan's noise of scale 1 where its scale is `scale` g. Outliers are as many
@@ -99,7 +83,7 @@ std::vector<double> output_variances(const SimulationPlan& plan, const Dataset& 
   for (std::size_t row = 0; row < record.rows(); ++row) {
     const Acceleration a = record.at(row);
     double variance = std::pow(plan.output_per_g * plan.noise.scale(std::hypot(a.i, a.o, a.p)), 2);
-    if (noisy_inputs(plan)) variance += variance_through_inputs(plan, truth, a);
+    if (noisy_inputs(plan)) variance += truth.variance_from_inputs(a, plan.input_sigma);
     variances.push_back(variance);
   }
   return variances;

@@ -137,14 +137,8 @@ std::vector<double> effective_weights(const Uncertainties& sigmas, const StaticM
   std::vector<double> weights;
   weights.reserve(data.rows());
   for (std::size_t row = 0; row < data.rows(); ++row) {
-    double variance = sigmas.output[row] * sigmas.output[row];
-    for (const Axis axis : data.axes()) {
-      const auto& sigma = sigmas.input[static_cast<std::size_t>(axis)];
-      if (sigma.empty()) continue;
-      const double part = model.slope(data.at(row), axis) * sigma[row];
-      variance += part * part;
-    }
-    weights.push_back(1.0 / variance);
+    const double from_inputs = model.variance_from_inputs(data.at(row), across_axes(sigmas.input, row));
+    weights.push_back(1.0 / (sigmas.output[row] * sigmas.output[row] + from_inputs));
   }
   return weights;
 }

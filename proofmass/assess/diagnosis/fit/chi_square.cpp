@@ -22,15 +22,12 @@ constexpr double kInputsMatter = 0.25;      // of the residuals' variance
 // The variance that the inputs' uncertainties give each output; empty where the record has none.
 std::vector<double> variance_from_inputs(const Dataset& record, const StaticModel& model) {
   std::vector<double> variance;
-  for (const Axis axis : record.axes()) {
-    const auto& sigma = record.acceleration_sigma[static_cast<std::size_t>(axis)];
-    if (sigma.empty()) continue;
-    variance.resize(record.rows());
-    for (std::size_t row = 0; row < record.rows(); ++row) {
-      const double part = model.slope(record.at(row), axis) * sigma[row];
-      variance[row] += part * part;
-    }
-  }
+  const auto& sigmas = record.acceleration_sigma;
+  const std::vector<Axis> axes = record.axes();
+  const auto is_exact = [&sigmas](Axis axis) { return sigmas[static_cast<std::size_t>(axis)].empty(); };
+  if (std::all_of(axes.begin(), axes.end(), is_exact)) return variance;
+  for (std::size_t row = 0; row < record.rows(); ++row)
+    variance.push_back(model.variance_from_inputs(record.at(row), across_axes(sigmas, row)));
   return variance;
 }
 
@@ -50,8 +47,7 @@ std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Ide
   const double n = result.train ? static_cast<double>(result.train->n) : static_cast<double>(rows.rows());
   const double dof = static_cast<double>(rows.rows()) * std::min(1.0, fitted / n);
   const double scale = median_scale(scaled, rows.basis().columns());
-  const double ratio =
-      robust ? scale * scale : std::inner_product(scaled.begin(), scaled.end(), scaled.begin(), 0.0) / dof;
+  const double ratio = robust ? scale * scale : sum_of_squares(scaled) / dof;
   // The cube root of chi² per degree of freedom is nearly normal (Wilson and Hilferty, PNAS 17, 1931).
   const double counted = robust ? kMedianEfficiency * dof : dof;
   const double variance = 2.0 / (9.0 * counted);
