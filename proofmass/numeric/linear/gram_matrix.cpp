@@ -10,8 +10,8 @@
 namespace proofmass {
 namespace {
 
-GramMatrix sum_of(const std::vector<GramMatrix>& parts) {
-  GramMatrix sum(parts.front().scales());
+GramMatrix sum_of(const std::vector<GramMatrix>& parts, const RegressionRows& rows) {
+  GramMatrix sum(rows.scales());
   for (const GramMatrix& part : parts) sum.add(part);
   return sum;
 }
@@ -61,7 +61,7 @@ GramMatrix gram_matrix(const RegressionRows& rows) {
   for_each_row_chunk(rows.rows(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
     add_products(rows, first, last, parts[chunk]);
   });
-  return sum_of(parts);
+  return sum_of(parts, rows);
 }
 
 GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> weights) {
@@ -72,7 +72,7 @@ GramMatrices gram_matrices(const RegressionRows& rows, std::span<const double> w
   for_each_row_chunk(rows.rows(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
     add_products(rows, weights, first, last, plain[chunk], weighted[chunk]);
   });
-  return {sum_of(plain), sum_of(weighted)};
+  return {sum_of(plain, rows), sum_of(weighted, rows)};
 }
 
 }  // namespace proofmass
