@@ -41,6 +41,7 @@ struct Kind {
   double step = 0.0;             // of the output, in its canonical unit; 0: not rounded
   double inputs_step = 0.0;      // g
   bool with_conditions = false;  // columns t, T and sigma_E
+  void (*also)(Dataset&, RandomStream&) = nullptr;
 };
 
 // Sizes as quartz flexure accelerometers have: mg, 1000 ppm, tens of µg/g², µg/g³, hundreds of µrad.
@@ -52,6 +53,16 @@ StaticModel draw_sensor(RandomStream& random) {
     sensor.coefficients.push_back((term == Term::Ki ? 1.0 : 0.0) + size * random.normal());
   }
   return sensor;
+}
+
+// The input axis along the radius, inwards and outwards, without gravity.
+SimulationPlan one_axis(double sigma) {
+  SimulationPlan plan;
+  plan.mounted = MountedInputs{
+      .mounts = {{.name = "in", .radial = {1.0, 0.0, 0.0}}, {.name = "out", .radial = {-1.0, 0.0, 0.0}}},
+      .levels = {1.0, 2.0, 5.0, 10.0, 20.0}};
+  plan.noise.sigma = sigma;
+  return plan;
 }
 
 SimulationPlan sphere(double sigma) {
@@ -84,6 +95,46 @@ SimulationPlan tumble(double sigma) {
   plan.mounted = inputs;
   plan.noise.sigma = sigma;
   return plan;
+}
+
+// Twelve positions in each plane, and no more rows than that.
+SimulationPlan short_tumble(double sigma) {
+  SimulationPlan plan = tumble(sigma);
+  std::vector<Mount>& positions = plan.mounted->mounts;
+  for (std::size_t k = 0; 2 * k < positions.size(); ++k) positions[k] = positions[2 * k];
+  positions.resize(positions.size() / 2);
+  return plan;
+}
+
+// The mount of a position is the plane that it is in.
+void name_planes(Dataset& record, RandomStream& /*random*/) {
+  for (std::string& mount : record.mount) mount.resize(2);
+}
+
+// Noise between 1 and 100 ug, different from row to row, and known.
+void add_uneven_noise(Dataset& record, RandomStream& random) {
+  record.output_sigma.clear();
+  for (double& e : record.output) {
+    const double sigma = kUg * std::pow(100.0, random.uniform());
+    record.output_sigma.push_back(sigma);
+    e += sigma * random.normal();
+  }
+}
+
+// Noise between 10 and 100 ug, different from mount to mount.
+void add_noise_of_mounts(Dataset& record, RandomStream& random) {
+  std::map<std::string, double> sigma;
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const auto [at, is_new] = sigma.try_emplace(record.mount[row], 0.0);
+    if (is_new) at->second = 10.0 * kUg * std::pow(10.0, random.uniform());
+    record.output[row] += at->second * random.normal();
+  }
+}
+
+// The input axis alone.
+void leave_one_axis(Dataset& record, RandomStream& /*random*/) {
+  record.acceleration[1].clear();
+  record.acceleration[2].clear();
 }
 
 SimulationPlan mounts(double sigma) {
@@ -144,6 +195,28 @@ std::vector<Kind> kinds() {
        .step = 4e-5,
        .inputs_step = 1e-6,
        .with_conditions = true},
+      {.name = "tumble, 24 positions, two mounts",
+       .method = Ols{},
+       .plan = short_tumble(10.0 * kUg),
+       .rows = 24,
+       .inputs_step = 1e-6,
+       .also = name_planes},
+      {.name = "random directions, 30 rows", .method = Ols{}, .plan = sphere(10.0 * kUg), .rows = 30},
+      {.name = "noise of 1 to 100 ug by row, with sigma_E",
+       .method = Ols{},
+       .plan = sphere(0.1 * kUg),
+       .rows = 100,
+       .also = add_uneven_noise},
+      {.name = "noise of 10 to 100 ug by mount, 24 mounts",
+       .method = Ols{},
+       .plan = mounts(kUg),
+       .rows = 384,
+       .also = add_noise_of_mounts},
+      {.name = "one axis, 10 levels, five times",
+       .method = Ols{},
+       .plan = one_axis(10.0 * kUg),
+       .rows = 50,
+       .also = leave_one_axis},
   };
 }
 
@@ -174,6 +247,7 @@ Dataset make_record(const Kind& kind, std::uint64_t seed) {
   round_to(record.output, kind.step);
   for (std::vector<double>& axis : record.acceleration) round_to(axis, kind.inputs_step);
   record.acceleration_resolution.fill(kind.inputs_step);
+  if (kind.also != nullptr) kind.also(record, random);
   if (kind.with_conditions) add_conditions(record, kind, random);
   return record;
 }

@@ -98,7 +98,7 @@ void score_parts(Identification& result, const Dataset& training, const Dataset&
 void add_diagnosis(Run& run, const Dataset& record, const Method& method) {
   std::vector<Finding> found = diagnose_record(record);
   const std::vector<Finding> of_fit =
-      diagnose_fit(record, run.split, run.identification, sigma_columns(method).inputs);
+      diagnose_fit(record, found, run.split, run.identification, sigma_columns(method).inputs);
   found.insert(found.end(), of_fit.begin(), of_fit.end());
   std::vector<Finding>& findings = run.identification.findings;
   findings.insert(findings.begin(), found.begin(), found.end());

@@ -111,9 +111,42 @@ void wander(Dataset& record) {
   add_to_output(record, [&](std::size_t) { return state = 0.5 * state + 2.0 * kNoise * random.normal(); });
 }
 
+// A meter whose reading saturates, or folds back, with noise of its own.
+void saturate(Dataset& record, double limit, double beyond) {
+  RandomStream random(11, stream_id("saturate"));
+  for (double& e : record.output) {
+    if (std::abs(e) > limit)
+      e = std::copysign(limit + beyond * (std::abs(e) - limit), e) + kNoise * random.normal();
+  }
+}
+
+// A converter whose range is `span` about zero, or from zero up.
+void run_over(Dataset& record, double span, bool is_signed) {
+  record.output_sigma.clear();
+  for (double& e : record.output) e -= span * std::floor(e / span + (is_signed ? 0.5 : 0.0));
+}
+
+void scale_output(Dataset& record, const std::function<double(std::size_t)>& change) {
+  for (std::size_t row = 0; row < record.rows(); ++row) record.output[row] *= 1.0 + change(row);
+}
+
 void repeat_rows(Dataset& record) {
   std::vector<std::size_t> rows(record.rows());
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = row < 280 ? row : row - 200;
+  record = record.select(rows);
+}
+
+// 20 positions with three readings each, and the whole record once more.
+void repeat_readings(Dataset& record) {
+  for (std::size_t row = 0; row < 60; ++row) {
+    const std::size_t position = row - row % 3;
+    for (std::vector<double>& axis : record.acceleration) {
+      record.output[row] += axis[position] - axis[row];
+      axis[row] = axis[position];
+    }
+  }
+  std::vector<std::size_t> rows(120);
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = row % 60;
   record = record.select(rows);
 }
 
@@ -155,6 +188,17 @@ std::vector<Fault> faults() {
          to_counts(r, 100.0);
          clip(r, 1500.0);
        }},
+      {Code::output_saturated, "noisy", [](Dataset& r) { saturate(r, 14.0, 0.0); }},
+      {Code::output_saturated, "folds_back", [](Dataset& r) { saturate(r, 14.0, -1.0); }},
+      {Code::output_stuck, "noisy",
+       [](Dataset& r) {
+         RandomStream random(12, stream_id("stuck"));
+         for (std::size_t row = 60; row < 70; ++row) r.output[row] = r.output[60] + kNoise * random.normal();
+       }},
+      {Code::output_repeated, "zero_in_every_second_row",
+       [](Dataset& r) {
+         for (std::size_t row = 1; row < r.rows(); row += 2) r.output[row] = 0.0;
+       }},
       {Code::output_held, "stuck", [](Dataset& r) { std::fill_n(r.output.begin() + 40, 8, r.output[40]); }},
       {Code::output_held, "pairs",
        [](Dataset& r) {
@@ -175,7 +219,20 @@ std::vector<Fault> faults() {
          to_counts(r, 90.0);
          for (double& e : r.output) e += e < 0.0 ? 4096.25 : 0.25;
        }},
+      {Code::output_wrapped, "signed_16_bits",
+       [](Dataset& r) {
+         to_counts(r, 2200.0);
+         run_over(r, 65'536.0, true);
+       }},
+      {Code::output_wrapped, "unsigned_32_bits",
+       [](Dataset& r) {
+         to_counts(r, 9e7);
+         run_over(r, 4'294'967'296.0, false);
+       }},
+      {Code::output_wrapped, "volts", [](Dataset& r) { run_over(r, 20.0, true); }},
+      {Code::output_wrapped, "several_turns", [](Dataset& r) { run_over(r, 6.0, true); }},
       {Code::rows_duplicated, "block", repeat_rows},
+      {Code::rows_duplicated, "readings_of_positions", repeat_readings},
       {Code::time_backwards, "once", [](Dataset& r) { r.time[100] = 1.0; }},
       {Code::time_standing, "stopped",
        [](Dataset& r) { std::fill(r.time.begin() + 200, r.time.end(), 1000.0); }},
@@ -192,6 +249,16 @@ std::vector<Fault> faults() {
        }},
       {Code::gross_misfit, "shifted", shift_outputs},
       {Code::gross_misfit, "angles", as_angles, {Term::K0, Term::Ki}},
+      {Code::gross_misfit, "two_units",
+       [](Dataset& r) {
+         for (std::size_t row = 0; row < r.rows(); row += 3) {
+           for (std::vector<double>& axis : r.acceleration) axis[row] *= kStandardGravity;
+         }
+       }},
+      {Code::rows_far_off, "one", [](Dataset& r) { r.output[7] += 1000.0 * kNoise; }},
+      {Code::rows_far_off, "sign", [](Dataset& r) { r.output[7] *= -1.0; }},
+      {Code::rows_far_off, "a_tenth",
+       [](Dataset& r) { add_to_output(r, [](std::size_t row) { return row % 10 == 7 ? 1e-2 : 0.0; }); }},
       {Code::model_too_short, "linear", drop_sigma, linear_terms()},
       {Code::model_too_short, "quadratic", drop_sigma, quadratic_terms()},
       {Code::residuals_follow_time, "drift",
@@ -212,6 +279,25 @@ std::vector<Fault> faults() {
       {Code::residuals_follow_mount, "one",
        [](Dataset& r) {
          add_to_output(r, [&](std::size_t row) { return r.mount[row] == "P2" ? 2.0 * kNoise : 0.0; });
+       }},
+      {Code::residuals_follow_mount, "each",
+       [](Dataset& r) {
+         add_to_output(r, [&](std::size_t row) { return kNoise * (r.mount[row][1] % 3 - 1.0); });
+       }},
+      {Code::scale_factor_follows_time, "drift",
+       [](Dataset& r) { scale_output(r, [&](std::size_t row) { return 4e-9 * r.time[row]; }); }},
+      {Code::scale_factor_follows_temperature, "slope",
+       [](Dataset& r) {
+         scale_output(r, [&](std::size_t row) { return 1e-5 * (r.temperature[row] - 22.0); });
+       }},
+      {Code::scale_factor_follows_order, "drift",
+       [](Dataset& r) {
+         r.time.clear();
+         scale_output(r, [](std::size_t row) { return 2e-8 * static_cast<double>(row); });
+       }},
+      {Code::scale_factor_follows_mount, "one",
+       [](Dataset& r) {
+         scale_output(r, [&](std::size_t row) { return r.mount[row] == "P2" ? 1e-5 : 0.0; });
        }},
       {Code::residuals_correlated, "wanders", wander},
       {Code::sigma_output_too_small, "by_0_7",
@@ -256,6 +342,97 @@ TEST(DiagnosisOfClipping, NamesTheLines) {
             static_cast<double>(
                 std::count(record.output.begin(), record.output.end(), test::number(finding, "value"))));
   for (const std::size_t line : finding.lines) EXPECT_EQ(std::abs(record.output[line - 2]), 15.0) << line;
+}
+
+// A tumble of so few rows leaves little to judge by; effects far above the noise show all the same.
+Dataset short_tumble(std::uint64_t seed) {
+  RandomStream random(seed, stream_id("short tumble"));
+  Dataset record;
+  record.acceleration.fill(std::vector<double>(24, 0.0));
+  for (std::size_t row = 0; row < 24; ++row) {
+    const double angle = static_cast<double>(row % 12) * std::numbers::pi / 6.0;
+    record.acceleration[0][row] = std::sin(angle);
+    record.acceleration[row < 12 ? 1 : 2][row] = std::cos(angle);
+    record.output.push_back(1e-5 + 0.9999 * record.acceleration[0][row] + 5e-5 * record.acceleration[1][row] +
+                            kNoise * random.normal());
+    record.mount.push_back(row < 12 ? "OA" : "PA");
+  }
+  return record;
+}
+
+std::vector<Code> of_tumble(const std::function<void(Dataset&)>& put_into, std::uint64_t seed) {
+  Dataset record = short_tumble(seed);
+  put_into(record);
+  return warnings(diagnosed(record, Ols{}, linear_terms()).identification);
+}
+
+TEST(DiagnosisOfShortRecords, SeesWhatIsFarAboveTheNoise) {
+  using Codes = std::vector<Code>;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    EXPECT_EQ(of_tumble([](Dataset&) {}, seed), Codes()) << seed;
+    EXPECT_EQ(of_tumble(
+                  [](Dataset& r) {
+                    for (std::size_t row = 0; row < 24; ++row)
+                      r.output[row] += 4e-5 * static_cast<double>(row);
+                    r.mount.clear();
+                  },
+                  seed),
+              Codes{Code::residuals_follow_order})
+        << seed;
+    EXPECT_EQ(of_tumble(
+                  [](Dataset& r) {
+                    for (std::size_t row = 12; row < 24; ++row) r.output[row] += 1e-3;
+                  },
+                  seed),
+              Codes{Code::residuals_follow_mount})
+        << seed;
+    EXPECT_EQ(of_tumble([](Dataset& r) { r.output[5] += 1e-2; }, seed), Codes{Code::rows_far_off}) << seed;
+    EXPECT_EQ(of_tumble(
+                  [](Dataset& r) {
+                    for (std::size_t row = 0; row < 24; ++row)
+                      r.output[row] +=
+                          1e-3 * r.acceleration[0][row] * (r.acceleration[0][row] + r.acceleration[1][row]);
+                  },
+                  seed),
+              Codes{Code::model_too_short})
+        << seed;
+  }
+}
+
+// Right uncertainties that differ from row to row are right for a method that takes no account of them, too.
+TEST(DiagnosisOfSigmas, DoesNotBlameUncertaintiesThatDiffer) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Dataset record = test::make_twin({.rows = 60, .noise = 0.0, .seed = seed});
+    RandomStream random(seed, stream_id("unequal noise"));
+    for (std::size_t row = 0; row < record.rows(); ++row) {
+      const double sigma = random.index(2) == 0 ? 1e-6 : 1e-4;
+      record.output_sigma.push_back(sigma);
+      record.output[row] += sigma * random.normal();
+    }
+    for (const Method& method : {Method(Ols{}), Method(Wls{}), Method(Robust{})}) {
+      const Identification result = diagnosed(record, method).identification;
+      EXPECT_FALSE(test::has(result, Code::sigma_output_too_small)) << info(method).name << " " << seed;
+    }
+  }
+}
+
+// What a saturated or otherwise degenerate output leaves to look at is little, or nothing.
+TEST(DiagnosisOfDegenerateOutputs, EndsWithoutAFault) {
+  for (const std::size_t values : {1U, 2U, 3U}) {
+    for (const std::size_t rows : {2U, 3U, 6U, 8U, 40U}) {
+      Dataset record = clean_record().select(std::vector<std::size_t>());
+      for (std::size_t row = 0; row < rows; ++row) {
+        for (std::vector<double>& axis : record.acceleration)
+          axis.push_back(std::cos(static_cast<double>(row * row)));
+        record.output.push_back(static_cast<double>(row % values));
+      }
+      record.mount.clear();
+      record.time.clear();
+      record.temperature.clear();
+      record.output_sigma.clear();
+      EXPECT_NO_THROW((void)diagnose_record(record)) << values << " " << rows;
+    }
+  }
 }
 
 // Sizes and significances, of a drift that is known.

@@ -227,7 +227,10 @@ std::string_view sentence(Code code) noexcept {
              "number of hidden units was chosen on the same rows";
     case Code::inputs_in_other_unit:
     case Code::output_clipped:
+    case Code::output_saturated:
     case Code::output_held:
+    case Code::output_stuck:
+    case Code::output_repeated:
     case Code::output_wrapped:
     case Code::rows_duplicated:
     case Code::time_backwards:
@@ -237,11 +240,16 @@ std::string_view sentence(Code code) noexcept {
     case Code::cross_axis_larger:
     case Code::few_degrees_of_freedom:
     case Code::gross_misfit:
+    case Code::rows_far_off:
     case Code::model_too_short:
     case Code::residuals_follow_time:
     case Code::residuals_follow_temperature:
     case Code::residuals_follow_order:
     case Code::residuals_follow_mount:
+    case Code::scale_factor_follows_time:
+    case Code::scale_factor_follows_temperature:
+    case Code::scale_factor_follows_order:
+    case Code::scale_factor_follows_mount:
     case Code::residuals_correlated:
     case Code::sigma_inputs_unused:
       return english_diagnosis(code);

@@ -12,6 +12,17 @@ struct NamedPhrase {
   std::string_view word;
   std::string_view phrase;
 };
+constexpr std::string_view kRows =
+    "a few rows are far off, the others are not. Use --method robust, and look at the rows that it suspects";
+constexpr std::string_view kShifted =
+    "the outputs follow the inputs of rows {shift:.0f} away: the columns are shifted against each other";
+constexpr std::string_view kAngles =
+    "the outputs follow the cosine or sine of the inputs in degrees: the inputs are angles of a dividing "
+    "head. "
+    "Give their cosines, or sines, as Ai";
+constexpr std::string_view kMixed =
+    "the inputs of some rows are in another unit than those of the others (a ratio of 9.8, or of 1000). "
+    "Convert them to one";
 constexpr std::array kPhrases{
     NamedPhrase{"hint", "output_si", "the output seems to be in m/s². State its unit: E[m/s^2]"},
     NamedPhrase{"hint", "inputs_si", "the inputs seem to be in m/s². State their unit: Ai[m/s^2]"},
@@ -19,26 +30,45 @@ constexpr std::array kPhrases{
     NamedPhrase{"hint", "inputs_milli", "the inputs seem to be in mg. State their unit: Ai[mg]"},
     NamedPhrase{"hint", "output_micro", "the output seems to be in ug. State its unit: E[ug]"},
     NamedPhrase{"hint", "output_milli_si", "the output seems to be in mm/s². State its unit: E[mm/s^2]"},
+    NamedPhrase{"hint", "output_gal", "the output seems to be in Gal. State its unit: E[Gal]"},
+    NamedPhrase{"hint", "inputs_gal", "the inputs seem to be in Gal. State their unit: Ai[Gal]"},
+    NamedPhrase{"hint", "output_milli_inputs_si",
+                "the output seems to be in mg and the inputs in m/s². State the units: E[mg], Ai[m/s^2]"},
+    NamedPhrase{"hint", "turned",
+                "with Ko = {ko:.4g} and Kp = {kp:.4g} g/g it is that of an instrument turned by {angle:.3g} "
+                "degrees from the axes of the record, or of outputs that stand beside the inputs of another "
+                "position. Turn the inputs by that angle, or move the outputs to their own rows"},
+    NamedPhrase{"hint", "angles", kAngles},
+    NamedPhrase{"hint", "mixed", kMixed},
+    NamedPhrase{"hint", "rows", kRows},
+    NamedPhrase{"hint", "shifted", kShifted},
     NamedPhrase{"hint", "undeclared", "no unit is declared for E, and g is assumed. State it, as in E[V]"},
     NamedPhrase{"hint", "declared",
                 "the unit of E or of the inputs is not what the record says, or the wrong column is read"},
     NamedPhrase{"reason", "terms",
                 "terms of the static model that are left out explain most of it. Use --model full "
                 "--on-rank-loss drop"},
-    NamedPhrase{"reason", "rows",
-                "a few rows are far off, the others are not. Use --method robust, and look at the rows that "
-                "it suspects"},
-    NamedPhrase{
-        "reason", "shifted",
-        "the outputs follow the inputs of rows {shift:.0f} away: the columns are shifted against each other"},
-    NamedPhrase{"reason", "angles",
-                "the outputs follow the cosine of the inputs in degrees: the inputs are angles of a dividing "
-                "head, and Ai = cos(angle)"},
+    NamedPhrase{"reason", "rows", kRows},
+    NamedPhrase{"reason", "shifted", kShifted},
+    NamedPhrase{"reason", "angles", kAngles},
+    NamedPhrase{"reason", "mixed", kMixed},
     NamedPhrase{
         "reason", "unrelated",
         "the output hardly depends on the inputs. The wrong column is read, or rows are in another order"},
     NamedPhrase{"reason", "unknown",
                 "the inputs explain part of the output only. Plot the output against each input"},
+    NamedPhrase{"magnitudes", "all_axes", "|A| is {least:.5g} to {largest:.5g} in every row and"},
+    NamedPhrase{"magnitudes", "one_axis", "the largest |Ai|, {largest:.5g} both ways,"},
+    NamedPhrase{"size", "power", "2^{bits:.0f} = {turn:.0f}"},
+    NamedPhrase{"size", "other", "{turn:.7g} {unit}"},
+    NamedPhrase{"within", "rows",
+                "of neighbouring rows are correlated ({correlation:.2f}, {errors:.3g} standard errors): the "
+                "output wanders, or terms are missing"},
+    NamedPhrase{
+        "within", "mounts",
+        "of neighbouring rows are correlated ({correlation:.2f}, {errors:.3g} standard errors) within "
+        "mounts, and not from one mount to the next: errors of the stand (alignment, radius, fixture) "
+        "do so"},
     NamedPhrase{"which", "largest", "largest"},
     NamedPhrase{"which", "smallest", "smallest"}};
 
@@ -47,23 +77,39 @@ constexpr std::array kPhrases{
 std::string_view english_diagnosis(Code code) noexcept {
   switch (code) {
     case Code::inputs_in_other_unit:
-      return "|A| is {least:.5g} to {largest:.5g} in every row and was read in {read}: it looks like 1 g in "
-             "{written}. Every coefficient is then wrong by powers of the ratio. State the unit in the "
+      return "{magnitudes} was read in {read}: it looks like 1 g in {written}. Every coefficient is then "
+             "wrong by powers of the ratio. State the unit in the "
              "header, as in Ai[{written}]";
     case Code::output_clipped:
       return "{count:.0f} rows with different inputs have exactly the {which} output, {value:.8g} {unit}: "
              "the output is clipped there, and coefficients that fit it are wrong. Leave these rows out, or "
              "widen the range of the meter: lines {lines}";
+    case Code::output_saturated:
+      return "the outputs end at {value:.6g} {unit}, although the inputs of {count:.0f} rows ask for up to "
+             "{expected:.6g} {unit} (by the other rows): the output saturates or folds back there, and "
+             "coefficients that fit it are wrong. Leave these rows out, or widen the range of the meter: "
+             "lines {lines}";
+    case Code::output_stuck:
+      return "the output stays within {spread:.3g} {unit} of {value:.8g} {unit} in {longest:.0f} rows in "
+             "sequence (lines {first:.0f} to {last:.0f}) while the inputs ask for a change of "
+             "{expected:.3g} {unit}: the output is stuck, and coefficients that fit it are wrong. Leave "
+             "these "
+             "rows out";
+    case Code::output_repeated:
+      return "{count:.0f} rows with different inputs have exactly the same output, {value:.8g} {unit}: a "
+             "reading that is missing or was not renewed, and coefficients that fit it are wrong. Leave "
+             "these rows out: lines {lines}";
     case Code::output_held:
       return "the output repeats from row to row {repeats:.0f} times while the inputs change (longest: "
              "{longest:.0f} rows at {value:.8g} {unit}, lines {first:.0f} to {last:.0f}): the output is "
              "stuck or held, and coefficients that fit it are wrong. Leave these rows out, or read the meter "
              "once a row";
     case Code::output_wrapped:
-      return "the outputs fall into two groups, up to {below:.0f} and from {above:.0f}, and follow the "
-             "inputs when 2^{bits:.0f} = {turn:.0f} is taken off the upper one ({percent:.3g} % of the "
-             "rows): signed counts read as unsigned, or a counter that ran over. The coefficients mean "
-             "nothing as they are. Take {turn:.0f} off the outputs from {above:.0f}";
+      return "the outputs jump, in the order of their Ai, and follow the inputs when whole multiples of "
+             "{size} "
+             "are added to {percent:.3g} % of the rows: signed counts read as unsigned, or a counter or "
+             "converter that ran over. The coefficients mean nothing as they are. Read the counts as signed, "
+             "widen the counter's range, or put the jumps right before identifying";
     case Code::rows_duplicated:
       return "{count:.0f} rows repeat an earlier row, inputs and output (line {first:.0f} repeats line "
              "{original:.0f}): rows pasted twice count twice, and standard errors are too small. Leave the "
@@ -89,9 +135,16 @@ std::string_view english_diagnosis(Code code) noexcept {
     case Code::gross_misfit:
       return "the fit explains {r2:.3g} of the outputs' variance (R², warned of below {limit:g}): {reason}";
     case Code::model_too_short:
-      return "the residuals follow terms that the model lacks and that the rows can identify: {terms} "
-             "({errors:.3g} standard errors). What these terms contribute is in the residuals and in the "
-             "coefficients that are there. Add them, or use --model full --on-rank-loss drop";
+      return "the residuals follow {count:.0f} terms that the model lacks and that the rows can identify: "
+             "{terms} ({errors:.3g} standard errors). With them the residuals' standard deviation would fall "
+             "from {before:.3g} to {after:.3g} {unit}; without them what they contribute is in the other "
+             "coefficients too. Add them, or use --model full --on-rank-loss drop";
+    case Code::rows_far_off:
+      return "{count:.0f} rows lie too far from the fit to be noise (line {line:.0f} by {residual:.3g} "
+             "{unit}; "
+             "the scale of the residuals is {scale:.3g} {unit}), and least squares follows them. Look at "
+             "them, "
+             "and leave them out or use --method robust: lines {lines}";
     case Code::residuals_follow_time:
       return "the residuals follow t: over the record they change by {change:.3g} {unit}, {errors:.3g} "
              "standard errors (noise {scale:.3g} {unit}). A drift moves the coefficients. Leave the warm-up "
@@ -110,9 +163,24 @@ std::string_view english_diagnosis(Code code) noexcept {
              "{mean:.3g} {unit}, {errors:.3g} standard errors from zero. Errors of the stand (alignment, "
              "radius, fixture) do so; they are alike in all rows of a mount, and the standard errors, which "
              "take rows for independent, are too small";
+    case Code::scale_factor_follows_time:
+      return "the scale factor follows t: over the record Ki changes by {change:.3g} {unit}, {errors:.3g} "
+             "standard errors. A scale factor that drifts is none. Wait until the instrument is warm, or "
+             "split the record and identify the parts";
+    case Code::scale_factor_follows_temperature:
+      return "the scale factor follows T: over its range Ki changes by {change:.3g} {unit}, {errors:.3g} "
+             "standard errors. Wait until the temperature is steady, or take its effect off the output";
+    case Code::scale_factor_follows_order:
+      return "the scale factor follows the order of the rows: over the record Ki changes by {change:.3g} "
+             "{unit}, {errors:.3g} standard errors. If the rows are in the order of the test the scale "
+             "factor "
+             "drifts: wait until the instrument is warm, or split the record and identify the parts";
+    case Code::scale_factor_follows_mount:
+      return "the scale factor differs from mount to mount, in {count:.0f} of {total:.0f} mounts: in {mount} "
+             "Ki is off by {mean:.3g} {unit}, {errors:.3g} standard errors. A wrong radius of the mount does "
+             "so, and an instrument that was changed or set anew between mounts";
     case Code::residuals_correlated:
-      return "the residuals of neighbouring rows are correlated ({correlation:.2f}, {errors:.3g} standard "
-             "errors): the output wanders, or terms are missing. Standard errors take rows for independent, "
+      return "the residuals {within}. Standard errors take rows for independent, "
              "and are too small";
     case Code::sigma_inputs_unused:
       return "the columns sigma_A... are not used: {method} takes the inputs for exact. Their uncertainties "

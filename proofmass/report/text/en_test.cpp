@@ -65,8 +65,14 @@ Finding with_every_figure(Code code) {
                              "last",
                              "bits",
                              "turn",
-                             "below",
-                             "above",
+                             "before",
+                             "after",
+                             "line",
+                             "residual",
+                             "expected",
+                             "angle",
+                             "ko",
+                             "kp",
                              "percent",
                              "original",
                              "ki",
@@ -80,8 +86,9 @@ Finding with_every_figure(Code code) {
     finding.figures.emplace_back(number, 2.0);
   }
   for (const char* word :
-       {"axes", "column", "columns", "encoding", "criterion", "inflated", "method", "named", "origin", "read",
-        "written", "which", "hint", "reason", "mount", "plan", "product", "text", "unit"}) {
+       {"axes",   "column", "columns", "encoding", "criterion", "inflated", "method", "named",
+        "origin", "read",   "written", "which",    "hint",      "reason",   "mount",  "magnitudes",
+        "size",   "within", "plan",    "product",  "text",      "unit"}) {
     finding.figures.emplace_back(word, "<" + std::string(word) + ">");
   }
   return finding;

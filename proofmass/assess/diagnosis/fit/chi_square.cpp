@@ -6,9 +6,12 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
+#include "proofmass/assess/diagnosis/record/term_space.hpp"
+#include "proofmass/numeric/linear/least_squares.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
 
 namespace proofmass {
@@ -17,6 +20,7 @@ namespace {
 constexpr double kDoubt = 4.5;              // standard errors of the ratio
 constexpr double kFar = 0.1;                // of the ratio from one
 constexpr double kMedianEfficiency = 0.37;  // of the scale by the median of normal residuals
+constexpr double kAlike = 1.01;             // greatest over least uncertainty of rows that all weigh alike
 constexpr double kInputsMatter = 0.25;      // of the residuals' variance
 
 // The variance that the inputs' uncertainties give each output; empty where the record has none.
@@ -31,18 +35,43 @@ std::vector<double> variance_from_inputs(const Dataset& record, const StaticMode
   return variance;
 }
 
+// The residuals over their standard uncertainties. A fit whose weights are other ones spreads the noise of a
+// row over rows with less; what a fit by these uncertainties would take up again is taken off.
+std::vector<double> scaled_residuals(const FittedRows& rows, const std::vector<double>& sigma,
+                                     std::span<const double> robust_weights) {
+  std::vector<double> scaled(rows.residuals().begin(), rows.residuals().end());
+  for (std::size_t row = 0; row < scaled.size(); ++row) scaled[row] /= sigma[row];
+  const auto [least, greatest] = std::minmax_element(sigma.begin(), sigma.end());
+  if (*greatest < kAlike * *least || rows.basis().columns() == 0) return scaled;
+  Matrix design = rows.basis();
+  std::vector<double> response(scaled);
+  for (std::size_t row = 0; row < scaled.size(); ++row) {
+    const double weight = robust_weights.empty() ? 1.0 : std::sqrt(robust_weights[row]);
+    response[row] *= weight;
+    for (std::size_t c = 0; c < design.columns(); ++c) design(row, c) *= weight / sigma[row];
+  }
+  if (analyse_rank(design).rank < design.columns()) return scaled;
+  const std::vector<double> taken = solve_least_squares(design, response).coefficients;
+  for (std::size_t row = 0; row < scaled.size(); ++row) {
+    for (std::size_t c = 0; c < taken.size(); ++c)
+      scaled[row] -= rows.basis()(row, c) * taken[c] / sigma[row];
+  }
+  return scaled;
+}
+
 std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Identification& result,
                                                const std::vector<double>& from_inputs) {
   const Dataset& record = rows.record();
   if (record.output_sigma.empty() || rows.dof() == 0) return std::nullopt;
-  std::vector<double> scaled(rows.rows());
-  for (std::size_t row = 0; row < scaled.size(); ++row) {
-    const double own = record.output_sigma[row] * record.output_sigma[row];
-    const double variance = own + (from_inputs.empty() ? 0.0 : from_inputs[row]);
-    if (!(variance > 0.0)) return std::nullopt;
-    scaled[row] = rows.residuals()[row] / std::sqrt(variance);
+  std::vector<double> sigma(rows.rows());
+  for (std::size_t row = 0; row < sigma.size(); ++row) {
+    sigma[row] =
+        std::hypot(record.output_sigma[row], from_inputs.empty() ? 0.0 : std::sqrt(from_inputs[row]));
+    if (!(sigma[row] > 0.0)) return std::nullopt;
   }
   const bool robust = std::holds_alternative<RobustDetails>(result.details);
+  const std::vector<double> scaled =
+      scaled_residuals(rows, sigma, robust ? rows.weights() : std::span<const double>());
   const auto fitted = static_cast<double>(result.diagnostics.dof.value_or(rows.dof()));
   const double n = result.train ? static_cast<double>(result.train->n) : static_cast<double>(rows.rows());
   const double dof = static_cast<double>(rows.rows()) * std::min(1.0, fitted / n);

@@ -5,15 +5,12 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "proofmass/assess/diagnosis/record/output_resolution.hpp"
+#include "proofmass/assess/diagnosis/record/term_space.hpp"
 #include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
 #include "proofmass/identify/method.hpp"
-#include "proofmass/identify/model/identifiability.hpp"
-#include "proofmass/identify/model/term_sums.hpp"
-#include "proofmass/numeric/linear/normal_solution.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
 
 namespace proofmass {
@@ -24,6 +21,9 @@ constexpr double kRounding = 1e-12;           // of the largest output
 constexpr double kRoundingOfStep = 0.5;       // of the output's step; rounding alone has 0.29
 constexpr double kRoundingOfLeverage = 1e-9;  // below it a row is fitted whatever its output
 constexpr std::size_t kLeastDof = 8;
+constexpr double kPlausible = 1e-3;  // probability above which no test here finds anything
+constexpr int kMostSteps = 30;
+constexpr double kSmallStep = 1e-3;  // of the standard error
 
 TermList identified_terms(const Identification& result) {
   TermList terms;
@@ -31,10 +31,6 @@ TermList identified_terms(const Identification& result) {
     if (c.identified) terms.push_back(c.term);
   }
   return terms;
-}
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 // The size below which residuals are the rounding of arithmetic or of the outputs.
@@ -53,29 +49,6 @@ std::vector<std::size_t> some_of(std::span<const std::size_t> training) {
 
 }  // namespace
 
-Matrix orthonormal_rows(const Dataset& rows, const TermList& asked) {
-  const TermSums sums(rows, asked);
-  const TermList terms = analyse_identifiability(sums, asked).identified;
-  Matrix basis(rows.rows(), terms.size());
-  if (terms.empty() || rows.rows() < terms.size()) return Matrix(rows.rows(), 0);
-  const TermRows regressors = sums.rows(terms);
-  const Matrix orthogonaliser = solve_normal_equations(sums.gram(terms), regressors).orthogonaliser;
-  RowBlock block(terms.size() + 1);
-  for (std::size_t first = 0; first < rows.rows(); first += RowBlock::kRows) {
-    const std::size_t count = std::min(RowBlock::kRows, rows.rows() - first);
-    regressors.fill(first, count, block);
-    for (std::size_t c = 0; c < terms.size(); ++c) {
-      double* const column = basis.column(c).data() + first;
-      for (std::size_t k = 0; k <= c; ++k) {
-        const double factor = orthogonaliser(k, c);
-        const double* const values = block.column(k);
-        for (std::size_t r = 0; r < count; ++r) column[r] += factor * values[r];
-      }
-    }
-  }
-  return basis;
-}
-
 double student_probability(double t, double dof) {
   if (!(dof > 0.0)) return 1.0;
   if (!std::isfinite(t)) return std::isnan(t) ? 1.0 : 0.0;
@@ -87,52 +60,93 @@ FittedRows::FittedRows(const Dataset& record, std::span<const std::size_t> train
                        const Identification& result)
     : record_(record.select(some_of(training))),
       residuals_(record_.output),
-      basis_(orthonormal_rows(record_, identified_terms(result))) {
+      basis_(orthonormal_rows(record_, identified_terms(result))),
+      rounding_(rounding_of(record_)) {
+  const std::vector<double>& weights = result.row_weights.values;
+  for (const std::size_t row : thinned_rows(weights.size())) weights_.push_back(weights[row]);
+  if (weights_.size() != residuals_.size()) weights_.clear();
+  const std::vector<double> predicted = predict(result, record_);
+  for (std::size_t row = 0; row < residuals_.size(); ++row) residuals_[row] -= predicted[row];
+  take_leverages();
+}
+
+void FittedRows::take_leverages() {
   leverages_.assign(residuals_.size(), 0.0);
   for (std::size_t c = 0; c < basis_.columns(); ++c) {
     const std::span<const double> column = basis_.column(c);
     for (std::size_t row = 0; row < column.size(); ++row) leverages_[row] += column[row] * column[row];
   }
-  const std::vector<double> predicted = predict(result, record_);
-  for (std::size_t row = 0; row < residuals_.size(); ++row) residuals_[row] -= predicted[row];
   dof_ = residuals_.size() - std::min(residuals_.size(), basis_.columns());
   scale_ = median_scale(residuals_, basis_.columns());
-  has_noise_ = dof_ >= kLeastDof && scale_ > rounding_of(record_);
-  if (!(scale_ > 0.0)) return;
-  for (const double r : residuals_) bounded_.push_back(std::clamp(r / scale_, -kBound, kBound));
-  if (dof_ > 0) bounded_variance_ = sum_of_squares(bounded_) / static_cast<double>(dof_);
+  has_noise_ = dof_ >= kLeastDof && scale_ > rounding_;
 }
 
-std::vector<double> beyond_columns(const Matrix& basis, std::vector<double> values) {
-  for (std::size_t c = 0; c < basis.columns(); ++c) {
-    const std::span<const double> column = basis.column(c);
-    const double along = dot(column, values);
-    for (std::size_t row = 0; row < values.size(); ++row) values[row] -= along * column[row];
+FittedRows FittedRows::with_columns(const Matrix& columns) const {
+  FittedRows more = *this;
+  more.basis_ = Matrix(rows(), basis_.columns() + columns.columns());
+  for (std::size_t c = 0; c < more.basis_.columns(); ++c) {
+    const std::span<const double> from =
+        c < basis_.columns() ? basis_.column(c) : columns.column(c - basis_.columns());
+    std::copy(from.begin(), from.end(), more.basis_.column(c).begin());
   }
-  return values;
+  more.residuals_ = beyond_columns(columns, residuals_);
+  more.take_leverages();
+  return more;
 }
-
-double sum_of_squares(std::span<const double> values) { return dot(values, values); }
 
 std::vector<double> FittedRows::beyond_terms(std::vector<double> values) const {
   return beyond_columns(basis_, std::move(values));
 }
 
+std::vector<double> bounded(std::span<const double> residuals, double scale) {
+  std::vector<double> held(residuals.begin(), residuals.end());
+  for (double& r : held) r = std::clamp(r / scale, -kBound, kBound);
+  return held;
+}
+
+// Newton steps of the slope of bounded residuals, their scale taken anew each time from what the slope
+// leaves; a trend that is larger than the noise is then no part of the scale that it is judged by.
+double FittedRows::bounded_errors(std::span<const double> weights, double size) const {
+  const std::size_t fitted = basis_.columns() + 1;
+  const auto left = static_cast<double>(rows()) - static_cast<double>(fitted);
+  std::vector<double> rest(residuals_);
+  double slope = 0.0;
+  double error = 0.0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double scale = std::max(median_scale(rest, fitted), rounding_);
+    if (!(scale > 0.0)) return slope == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
+    const std::vector<double> held = bounded(rest, scale);
+    const auto within = static_cast<double>(
+        std::count_if(held.begin(), held.end(), [](double r) { return std::abs(r) < kBound; }));
+    const double curvature = std::max(within / static_cast<double>(rows()), 0.5);
+    const double change = scale * dot(weights, held) / (size * curvature);
+    slope += change;
+    error = scale * std::sqrt(sum_of_squares(held) / (left * size)) / curvature;
+    if (std::abs(change) < kSmallStep * error) break;
+    for (std::size_t row = 0; row < rest.size(); ++row) rest[row] = residuals_[row] - slope * weights[row];
+  }
+  return slope / error;
+}
+
 Departure FittedRows::departure(std::span<const double> weights) const {
   const double size = sum_of_squares(weights);
-  const double alike = dot(weights, bounded_) / std::sqrt(size * bounded_variance_);
   const double slope = dot(weights, residuals_) / size;
   double squares = 0.0;
   for (std::size_t row = 0; row < weights.size(); ++row) {
     const double w = weights[row];
     const double left = 1.0 - leverages_[row] - w * w / size;
-    const double product = w * (residuals_[row] - slope * w) / left;
-    squares += left > kRoundingOfLeverage ? product * product : 0.0;
+    const double rest = std::max(std::abs(residuals_[row] - slope * w), rounding_);
+    const double product = left > kRoundingOfLeverage ? w * rest / left : 0.0;
+    squares += product * product;
   }
   const double different = slope * size / std::sqrt(squares);
-  if (!(std::isfinite(alike) && std::isfinite(different)) || alike * different < 0.0) return {};
-  const double least = std::abs(alike) < std::abs(different) ? alike : different;
-  return {.errors = different, .probability = student_probability(least, static_cast<double>(dof_))};
+  const double dof = static_cast<double>(dof_) - 1.0;
+  const double probability = student_probability(different, dof);
+  if (!std::isfinite(different)) return {};
+  if (probability > kPlausible) return {.errors = different, .probability = probability};
+  const double alike = bounded_errors(weights, size);
+  if (!(alike * different > 0.0)) return {.errors = different, .probability = 1.0};
+  return {.errors = different, .probability = std::max(probability, student_probability(alike, dof))};
 }
 
 }  // namespace proofmass

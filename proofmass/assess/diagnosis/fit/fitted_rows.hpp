@@ -28,41 +28,44 @@ class FittedRows {
   [[nodiscard]] std::size_t rows() const noexcept { return residuals_.size(); }
   [[nodiscard]] std::size_t dof() const noexcept { return dof_; }
   [[nodiscard]] double scale() const noexcept { return scale_; }  // robust, of the residuals
-  // Whether the residuals are more than the rounding of the output, and enough to show a pattern.
+  // Below it residuals are the rounding of arithmetic or of the outputs.
+  [[nodiscard]] double rounding() const noexcept { return rounding_; }
+  // Whether the residuals are more than rounding, and enough to show a pattern.
   [[nodiscard]] bool has_noise() const noexcept { return has_noise_; }
-  // The residuals over their scale, held within 2.5: what a test for patterns looks at.
-  [[nodiscard]] std::span<const double> bounded() const noexcept { return bounded_; }
-  // Mean square of bounded() per degree of freedom.
-  [[nodiscard]] double bounded_variance() const noexcept { return bounded_variance_; }
   // Rows whose columns are orthonormal and span the terms of the fit: rows() x terms.
   [[nodiscard]] const Matrix& basis() const noexcept { return basis_; }
+  // One a row, of the method's noise model: the larger the less noise; empty where all rows count alike.
+  [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
+  // Of the terms of the fit, one a row: the diagonal of the hat matrix.
+  [[nodiscard]] std::span<const double> leverages() const noexcept { return leverages_; }
 
   // What of the values, one a row, no combination of the terms of the fit gives.
   [[nodiscard]] std::vector<double> beyond_terms(std::vector<double> values) const;
   // How far the slope of the residuals along `weights`, which are beyond the terms, lies from zero, by
   // standard errors for noise that differs from row to row (HC3: MacKinnon and White, J. Econometrics 29,
-  // 1985). The probability is the larger of that and of a test on which outliers have little effect.
+  // 1985). The probability is the larger of that and of the slope that bounded residuals give, on which
+  // outliers have little effect (Huber, Ann. Math. Statist. 35, 1964).
   [[nodiscard]] Departure departure(std::span<const double> weights) const;
+  // The same rows as if these orthonormal columns, which are beyond the terms, had been fitted too.
+  [[nodiscard]] FittedRows with_columns(const Matrix& columns) const;
 
  private:
+  [[nodiscard]] double bounded_errors(std::span<const double> weights, double size) const;
+  void take_leverages();
+
   Dataset record_;
   std::vector<double> residuals_;
   Matrix basis_;
-  std::vector<double> leverages_;  // of the terms
+  std::vector<double> weights_;
+  std::vector<double> leverages_;
   std::size_t dof_ = 0;
   double scale_ = 0.0;
+  double rounding_ = 0.0;
   bool has_noise_ = false;
-  std::vector<double> bounded_;
-  double bounded_variance_ = 1.0;
 };
 
-// What of the values no combination of the orthonormal columns of a basis gives.
-[[nodiscard]] std::vector<double> beyond_columns(const Matrix& basis, std::vector<double> values);
-
-[[nodiscard]] double sum_of_squares(std::span<const double> values);
-
-// An orthonormal basis of these terms over the rows; of those only that the rows can tell apart.
-[[nodiscard]] Matrix orthonormal_rows(const Dataset& rows, const TermList& terms);
+// The residuals over their scale, held within 2.5: what a test for patterns looks at lest outliers decide it.
+[[nodiscard]] std::vector<double> bounded(std::span<const double> residuals, double scale);
 
 // By Student's t, of either sign.
 [[nodiscard]] double student_probability(double t, double dof);

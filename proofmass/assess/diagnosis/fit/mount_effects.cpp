@@ -1,83 +1,141 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/assess/diagnosis/fit/mount_offsets.hpp"
+#include "proofmass/assess/diagnosis/fit/mount_effects.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "proofmass/assess/diagnosis/fit/joint_departure.hpp"
 
 namespace proofmass {
 namespace {
 
-constexpr double kUnlikelyOffset = 1e-4;  // of all mounts together
+constexpr double kUnlikelyEffect =
+    2.5e-5;  // of all mounts together, in each of two tests of each of two kinds
 constexpr std::size_t kLeastMountRows = 3;
-constexpr double kLeastOffsetLeft = 0.01;  // of an offset: less lies within the terms
+constexpr double kLeastLeft = 0.01;     // of an effect's square: less lies within the terms
+constexpr double kWorthATest = 3.0;     // standard errors, roughly
+constexpr double kPlain = 4.0;          // standard errors, of a mount that is counted
+constexpr double kMostJointWork = 1e9;  // operations
+using Mounts = std::vector<std::vector<std::size_t>>;
 
-struct Offset {
-  std::string mount;
-  double mean = 0.0;    // of the residuals, in the output's canonical unit
-  double errors = 0.0;  // of their sum, in standard errors
+// What the outputs of a mount have too much of: one (an offset) or Ai (a scale factor), by row.
+struct Kind {
+  Code code = Code::verbatim;
+  std::vector<double> shape;
+};
+
+struct Effect {
+  std::size_t mount = 0;
+  double size = 0.0;    // of the slope along the shape, in the output's canonical unit
+  double errors = 0.0;  // in standard errors
   double probability = 1.0;
 };
 
-// The sum of the bounded residuals of a mount, against the noise of all rows and, lest a mount with more of
-// it than others looks like an offset, against that of the mount's own rows.
-Offset offset_of(const FittedRows& rows, const std::string& mount, const std::vector<std::size_t>& members) {
-  const auto n = static_cast<double>(members.size());
-  double sum = 0.0;
-  double squares = 0.0;
-  double mean = 0.0;
+// The slope of a mount's residuals along the shape, against the noise of all rows and, lest a mount with more
+// of it than others looks like an effect, against that of the mount's own rows.
+Effect effect_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts, std::size_t mount) {
+  const std::vector<std::size_t>& members = mounts[mount];
+  double before = 0.0;
+  double along = 0.0;
   for (const std::size_t row : members) {
-    sum += rows.bounded()[row];
-    squares += rows.bounded()[row] * rows.bounded()[row];
-    mean += rows.residuals()[row] / n;
+    before += kind.shape[row] * kind.shape[row];
+    along += kind.shape[row] * rows.residuals()[row];
   }
-  double within_terms = 0.0;
+  double left = before;
   for (std::size_t c = 0; c < rows.basis().columns(); ++c) {
     double part = 0.0;
-    for (const std::size_t row : members) part += rows.basis()(row, c);
-    within_terms += part * part;
+    for (const std::size_t row : members) part += rows.basis()(row, c) * kind.shape[row];
+    left -= part * part;
   }
-  const double left = n - within_terms;
-  if (!(left > kLeastOffsetLeft * n)) return {};
-  const double pooled = sum / std::sqrt(rows.bounded_variance() * left);
-  const double own_variance = (squares - sum * sum / n) / (n - 1.0);
-  const double own = own_variance > 0.0 ? sum / std::sqrt(n * own_variance) : pooled;
-  return {.mount = mount,
-          .mean = mean,
-          .errors = pooled,
-          .probability = std::max(student_probability(pooled, static_cast<double>(rows.dof())),
-                                  student_probability(own, n - 1.0))};
+  if (!(left > kLeastLeft * before)) return {};
+  Effect effect{.mount = mount, .size = along / left, .errors = along / std::sqrt(left) / rows.scale()};
+  if (std::abs(effect.errors) < kWorthATest) return effect;
+
+  std::vector<double> shape(rows.rows(), 0.0);
+  for (const std::size_t row : members) shape[row] = kind.shape[row];
+  const std::vector<double> weights = rows.beyond_terms(std::move(shape));
+  const Departure departure = rows.departure(weights);
+  double squares = 0.0;
+  for (const std::size_t row : members)
+    squares +=
+        std::pow(std::max(std::abs(rows.residuals()[row] - effect.size * weights[row]), rows.rounding()), 2);
+  const double own_dof = static_cast<double>(members.size()) - 1.0;
+  const double own = effect.size * std::sqrt(left / (squares / own_dof));
+  effect.errors = departure.errors;
+  effect.probability = std::max(departure.probability, student_probability(own, own_dof));
+  return effect;
+}
+
+Mounts mounts_to_judge(const Dataset& record) {
+  Mounts mounts = rows_by_mount(record.mount);
+  if (mounts.size() < 2) return {};
+  std::erase_if(mounts, [](const auto& members) { return members.size() < kLeastMountRows; });
+  return mounts;
+}
+
+Matrix columns_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts) {
+  const auto count = static_cast<double>(mounts.size());
+  const auto columns = count + static_cast<double>(rows.basis().columns());
+  if (count * columns * static_cast<double>(rows.rows()) > kMostJointWork) return {};
+  std::vector<std::vector<double>> shapes;
+  shapes.reserve(mounts.size());
+  for (const std::vector<std::size_t>& members : mounts) {
+    std::vector<double>& shape = shapes.emplace_back(rows.rows(), 0.0);
+    for (const std::size_t row : members) shape[row] = kind.shape[row];
+  }
+  return columns_beyond(rows, shapes, kLeastLeft).orthonormal;
+}
+
+Finding finding_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts,
+                   const std::vector<Effect>& effects, const Effect& strongest) {
+  const Dataset& record = rows.record();
+  const auto count = std::count_if(effects.begin(), effects.end(),
+                                   [](const Effect& effect) { return std::abs(effect.errors) > kPlain; });
+  const bool offset = kind.code == Code::residuals_follow_mount;
+  return {.code = kind.code,
+          .severity = Severity::warning,
+          .figures = {{"count", std::max<std::size_t>(1, static_cast<std::size_t>(count))},
+                      {"total", rows_by_mount(record.mount).size()},
+                      {"mount", record.mount[mounts[strongest.mount].front()]},
+                      {"mean", strongest.size / record.output_unit.to_canonical},
+                      {"unit", record.output_unit.symbol + (offset ? "" : "/g")},
+                      {"errors", std::abs(strongest.errors)}}};
+}
+
+std::optional<MountEffect> effect_of_kind(const FittedRows& rows, const Kind& kind, const Mounts& mounts) {
+  std::vector<Effect> effects;
+  for (std::size_t mount = 0; mount < mounts.size(); ++mount)
+    effects.push_back(effect_of(rows, kind, mounts, mount));
+  const Effect strongest = *std::max_element(
+      effects.begin(), effects.end(),
+      [](const Effect& a, const Effect& b) { return std::abs(a.errors) < std::abs(b.errors); });
+  double probability = 1.0;
+  for (const Effect& effect : effects)
+    probability = std::min(probability, effect.probability * static_cast<double>(mounts.size()));
+  Matrix columns = columns_of(rows, kind, mounts);
+  if (columns.columns() > 0) probability = std::min(probability, joint_probability(rows, columns, mounts));
+  if (!(probability < kUnlikelyEffect)) return std::nullopt;
+  return MountEffect{.finding = finding_of(rows, kind, mounts, effects, strongest),
+                     .errors = std::abs(strongest.errors),
+                     .probability = probability,
+                     .columns = std::move(columns)};
 }
 
 }  // namespace
 
-std::optional<Finding> find_mount_offsets(const FittedRows& rows) {
-  const Dataset& record = rows.record();
-  std::map<std::string, std::vector<std::size_t>> members;
-  for (std::size_t row = 0; row < record.mount.size(); ++row) members[record.mount[row]].push_back(row);
-  if (members.size() < 2) return std::nullopt;
-  const auto mounts = static_cast<double>(members.size());
-  Offset strongest;
-  std::size_t count = 0;
-  for (const auto& [mount, own] : members) {
-    if (own.size() < kLeastMountRows) continue;
-    const Offset offset = offset_of(rows, mount, own);
-    if (offset.probability * mounts < kUnlikelyOffset) ++count;
-    if (offset.probability < strongest.probability) strongest = offset;
-  }
-  if (count == 0) return std::nullopt;
-  const Unit& unit = record.output_unit;
-  return Finding{.code = Code::residuals_follow_mount,
-                 .severity = Severity::warning,
-                 .figures = {{"count", count},
-                             {"total", members.size()},
-                             {"mount", strongest.mount},
-                             {"mean", strongest.mean / unit.to_canonical},
-                             {"unit", unit.symbol},
-                             {"errors", std::abs(strongest.errors)}}};
+std::optional<MountEffect> find_mount_effect(const FittedRows& rows) {
+  const Mounts mounts = mounts_to_judge(rows.record());
+  if (mounts.empty()) return std::nullopt;
+  auto offset =
+      effect_of_kind(rows, {Code::residuals_follow_mount, std::vector<double>(rows.rows(), 1.0)}, mounts);
+  if (!rows.record().has(Axis::input)) return offset;
+  auto slope =
+      effect_of_kind(rows, {Code::scale_factor_follows_mount, rows.record().along(Axis::input)}, mounts);
+  return slope && (!offset || slope->probability < offset->probability) ? slope : offset;
 }
 
 }  // namespace proofmass

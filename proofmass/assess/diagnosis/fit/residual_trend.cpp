@@ -9,75 +9,124 @@
 #include <string>
 #include <vector>
 
+#include "proofmass/assess/diagnosis/fit/joint_departure.hpp"
+#include "proofmass/assess/diagnosis/record/term_space.hpp"
+
 namespace proofmass {
 namespace {
 
-constexpr double kUnlikelyTrend = 2e-5;  // of each of at most nine trends of a clean record
+constexpr double kUnlikelyTrend = 2e-5;  // of each of at most eighteen trends of a clean record
 constexpr double kLeastTrendLeft =
     1e-4;  // of a trend's square: less lies within the terms, and is not judged
+
+using Columns = std::vector<std::vector<double>>;
+
+// What trends are sought along: a value a row, and the codes of an output and a scale factor that follow it.
+struct Followed {
+  std::vector<double> values;
+  Code output = Code::verbatim;
+  Code scale_factor = Code::verbatim;
+};
 
 struct Trend {
   Code code = Code::verbatim;
   Departure departure;
-  double change = 0.0;  // of the output over the record, in its canonical unit
+  double change = 0.0;  // over the record: of the output, or of the scale factor, in canonical units
+  Columns polynomials;  // that it is one of
 };
 
-// Legendre polynomials of degree 1 to 3 at x in [-1, 1].
-std::array<double, 3> polynomials(double x) { return {x, 1.5 * x * x - 0.5, (2.5 * x * x - 1.5) * x}; }
-
-Trend trend_along(const FittedRows& rows, const std::vector<double>& polynomial, Code code) {
-  const std::vector<double> beyond = rows.beyond_terms(polynomial);
-  const double size = sum_of_squares(beyond);
-  if (!(size > kLeastTrendLeft * sum_of_squares(polynomial))) return {};
-  const double slope = std::inner_product(beyond.begin(), beyond.end(), rows.residuals().begin(), 0.0) / size;
-  const auto [least, greatest] = std::minmax_element(polynomial.begin(), polynomial.end());
-  return {
-      .code = code, .departure = rows.departure(beyond), .change = std::abs(slope) * (*greatest - *least)};
+// Legendre polynomials of degree 1 to 3 of the values, mapped to [-1, 1]; none of values that are all alike.
+Columns polynomials_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  if (!(*high > *low)) return {};
+  Columns polynomials(3, std::vector<double>(values.size()));
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const double x = 2.0 * (values[row] - *low) / (*high - *low) - 1.0;
+    polynomials[0][row] = x;
+    polynomials[1][row] = 1.5 * x * x - 0.5;
+    polynomials[2][row] = (2.5 * x * x - 1.5) * x;
+  }
+  return polynomials;
 }
 
-// The most significant trend along a quantity that has a value in each row.
-Trend strongest_trend(const FittedRows& rows, const std::vector<double>& quantity, Code code) {
+Trend trend_along(const FittedRows& rows, const std::vector<double>& column, double range, Code code) {
+  const std::vector<double> beyond = rows.beyond_terms(column);
+  const double size = sum_of_squares(beyond);
+  if (!(size > kLeastTrendLeft * sum_of_squares(column))) return {};
+  const double slope = dot(beyond, rows.residuals()) / size;
+  return {.code = code,
+          .departure = rows.departure(beyond),
+          .change = std::abs(slope) * range,
+          .polynomials = {}};
+}
+
+bool is_stronger(const Trend& a, const Trend& b) {
+  return std::abs(a.departure.errors) > std::abs(b.departure.errors);
+}
+
+// The most significant trend of the output, or of the scale factor where `factor` has Ai, one a row.
+Trend strongest_trend(const FittedRows& rows, const Columns& polynomials, const std::vector<double>& factor,
+                      Code code) {
   Trend strongest;
-  if (quantity.size() != rows.rows()) return strongest;
-  const auto [low, high] = std::minmax_element(quantity.begin(), quantity.end());
-  if (!(*high > *low)) return strongest;
-  for (std::size_t degree = 0; degree < 3; ++degree) {
-    std::vector<double> polynomial;
-    polynomial.reserve(quantity.size());
-    for (const double q : quantity)
-      polynomial.push_back(polynomials(2.0 * (q - *low) / (*high - *low) - 1.0)[degree]);
-    const Trend trend = trend_along(rows, polynomial, code);
-    if (std::abs(trend.departure.errors) > std::abs(strongest.departure.errors)) strongest = trend;
+  Columns columns = polynomials;
+  for (std::size_t degree = 0; degree < columns.size(); ++degree) {
+    const auto [least, greatest] = std::minmax_element(columns[degree].begin(), columns[degree].end());
+    const double range = *greatest - *least;
+    for (std::size_t row = 0; row < factor.size(); ++row) columns[degree][row] *= factor[row];
+    const Trend trend = trend_along(rows, columns[degree], range, code);
+    if (is_stronger(trend, strongest)) strongest = trend;
   }
+  strongest.polynomials = std::move(columns);
   return strongest;
 }
 
-std::vector<double> row_order(std::size_t rows) {
-  std::vector<double> order(rows);
-  std::iota(order.begin(), order.end(), 0.0);
-  return order;
+std::vector<Followed> quantities_of(const Dataset& record) {
+  std::vector<Followed> quantities;
+  if (!record.time.empty())
+    quantities.push_back({record.time, Code::residuals_follow_time, Code::scale_factor_follows_time});
+  if (!record.temperature.empty())
+    quantities.push_back(
+        {record.temperature, Code::residuals_follow_temperature, Code::scale_factor_follows_temperature});
+  if (record.time.empty() || !std::is_sorted(record.time.begin(), record.time.end())) {
+    std::vector<double> order(record.rows());
+    std::iota(order.begin(), order.end(), 0.0);
+    quantities.push_back({std::move(order), Code::residuals_follow_order, Code::scale_factor_follows_order});
+  }
+  return quantities;
+}
+
+Finding finding_of(const FittedRows& rows, const Trend& trend, bool of_output) {
+  const Unit& unit = rows.record().output_unit;
+  const double to_declared = 1.0 / std::abs(unit.to_canonical);
+  return {.code = trend.code,
+          .severity = Severity::warning,
+          .figures = {{"change", trend.change * to_declared},
+                      {"unit", unit.symbol + (of_output ? "" : "/g")},
+                      {"scale", rows.scale() * to_declared},
+                      {"errors", std::abs(trend.departure.errors)}}};
 }
 
 }  // namespace
 
-std::optional<Finding> find_residual_trend(const FittedRows& rows) {
-  const Dataset& record = rows.record();
-  const Trend time = strongest_trend(rows, record.time, Code::residuals_follow_time);
-  const Trend temperature = strongest_trend(rows, record.temperature, Code::residuals_follow_temperature);
-  const Trend order = record.time.empty() || !std::is_sorted(record.time.begin(), record.time.end())
-                          ? strongest_trend(rows, row_order(rows.rows()), Code::residuals_follow_order)
-                          : Trend{};
-  const std::array trends{time, temperature, order};
-  const Trend& trend = *std::max_element(trends.begin(), trends.end(), [](const Trend& a, const Trend& b) {
-    return std::abs(a.departure.errors) < std::abs(b.departure.errors);
-  });
+std::optional<ResidualTrend> find_residual_trend(const FittedRows& rows) {
+  Trend trend;
+  bool of_output = true;
+  for (const Followed& quantity : quantities_of(rows.record())) {
+    const Columns polynomials = polynomials_of(quantity.values);
+    const auto consider = [&](const std::vector<double>& factor, Code code, bool output) {
+      Trend found = strongest_trend(rows, polynomials, factor, code);
+      if (!is_stronger(found, trend)) return;
+      trend = std::move(found);
+      of_output = output;
+    };
+    consider({}, quantity.output, true);
+    if (rows.record().has(Axis::input))
+      consider(rows.record().along(Axis::input), quantity.scale_factor, false);
+  }
   if (!(trend.departure.probability < kUnlikelyTrend)) return std::nullopt;
-  return Finding{.code = trend.code,
-                 .severity = Severity::warning,
-                 .figures = {{"change", trend.change / std::abs(record.output_unit.to_canonical)},
-                             {"unit", record.output_unit.symbol},
-                             {"scale", rows.scale() / std::abs(record.output_unit.to_canonical)},
-                             {"errors", std::abs(trend.departure.errors)}}};
+  return ResidualTrend{.finding = finding_of(rows, trend, of_output),
+                       .errors = std::abs(trend.departure.errors),
+                       .columns = columns_beyond(rows, trend.polynomials, kLeastTrendLeft).orthonormal};
 }
 
 }  // namespace proofmass

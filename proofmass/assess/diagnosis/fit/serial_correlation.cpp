@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string>
+
+#include "proofmass/assess/diagnosis/record/term_space.hpp"
 
 namespace proofmass {
 namespace {
@@ -21,24 +24,51 @@ double made_by_fit(const Matrix& basis) {
   return sum;
 }
 
+bool starts_mount(const Dataset& record, std::size_t row) {
+  return !record.mount.empty() && record.mount[row] != record.mount[row - 1];
+}
+
+// Products of neighbours that belong to different mounts.
+struct Products {
+  std::size_t count = 0;
+  double sum = 0.0;
+  double squares = 0.0;
+  void add(double product) {
+    ++count;
+    sum += product;
+    squares += product * product;
+  }
+  // Whether enough of them show that residuals are alike within mounts only.
+  [[nodiscard]] bool show_nothing() const {
+    constexpr std::size_t kEnough = 10;
+    constexpr double kNothing = 2.0;
+    return count >= kEnough && sum < kNothing * std::sqrt(squares);
+  }
+};
+
 }  // namespace
 
 std::optional<Finding> find_serial_correlation(const FittedRows& rows) {
   if (rows.dof() < kLeastCorrelationDof) return std::nullopt;
-  const std::span<const double> r = rows.bounded();
+  const std::vector<double> r = bounded(rows.residuals(), rows.scale());
+  const double variance = sum_of_squares(r) / static_cast<double>(rows.dof());
   double sum = 0.0;
   double squares = 0.0;
+  Products across;
   for (std::size_t row = 1; row < r.size(); ++row) {
     const double product = r[row - 1] * r[row];
     sum += product;
     squares += product * product;
+    if (starts_mount(rows.record(), row)) across.add(product);
   }
-  sum -= rows.bounded_variance() * made_by_fit(rows.basis());
+  sum -= variance * made_by_fit(rows.basis());
   if (!(sum > kUnlikelyCorrelation * std::sqrt(squares))) return std::nullopt;
-  const double correlation = sum / (rows.bounded_variance() * static_cast<double>(r.size() - 1));
+  const double correlation = sum / (variance * static_cast<double>(r.size() - 1));
   return Finding{.code = Code::residuals_correlated,
                  .severity = Severity::warning,
-                 .figures = {{"correlation", correlation}, {"errors", sum / std::sqrt(squares)}}};
+                 .figures = {{"correlation", correlation},
+                             {"errors", sum / std::sqrt(squares)},
+                             {"within", std::string(across.show_nothing() ? "mounts" : "rows")}}};
 }
 
 }  // namespace proofmass

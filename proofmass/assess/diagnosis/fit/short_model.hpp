@@ -5,11 +5,20 @@
 
 #include "proofmass/assess/diagnosis/fit/fitted_rows.hpp"
 #include "proofmass/core/finding.hpp"
+#include "proofmass/numeric/matrix.hpp"
 
 namespace proofmass {
 
-// Says when the residuals follow terms of the static model that were not asked for and that the rows can
-// tell apart from those that were. Not of methods that choose their terms, or that fit what terms lack.
-[[nodiscard]] std::optional<Finding> find_short_model(const FittedRows& rows, const Identification& result);
+// Terms that a model lacks.
+struct ShortModel {
+  Finding finding;
+  Matrix columns;  // orthonormal, beyond the terms: what the missing ones add
+};
+
+// Terms of the static model that were not asked for, that the rows can tell apart from those that were, and
+// that the residuals follow, one by one or together. Not of methods that choose their terms, or that fit what
+// terms lack.
+[[nodiscard]] std::optional<ShortModel> find_short_model(const FittedRows& rows,
+                                                         const Identification& result);
 
 }  // namespace proofmass

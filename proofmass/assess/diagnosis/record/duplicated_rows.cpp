@@ -10,14 +10,16 @@
 
 #include "proofmass/assess/diagnosis/record/output_resolution.hpp"
 #include "proofmass/assess/diagnosis/record/repeats.hpp"
+#include "proofmass/assess/diagnosis/record/term_space.hpp"
+#include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
 
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kMostRows = 1'000'000;
 constexpr double kUnlikely = 1e-6;
-constexpr std::size_t kFewPairs = 5;
+constexpr std::size_t kLeastAllSame = 3;  // rows that were repeated, and all of them with the same output
+constexpr double kUnlikelyAllSame = 1e-3;
 constexpr double kContinuous = 0.45;  // of the rows: all of them pasted twice leaves half
 constexpr double kUnequalNoise =
     3.0;  // rows with less noise than the median's have the same output more often
@@ -25,9 +27,10 @@ constexpr double kFineOutput =
     1e-4;  // step over range: repeated rows cannot all have the same output by rounding
 
 struct Pairs {
-  std::size_t count = 0;            // rows with the inputs of an earlier row
-  std::vector<std::size_t> same;    // those that have its output too
-  std::vector<double> differences;  // of the outputs of the others
+  std::size_t rows = 0;             // with the inputs of an earlier row
+  std::size_t count = 0;            // of a row and an earlier one with its inputs
+  std::vector<std::size_t> same;    // rows that have an earlier one's output too
+  std::vector<double> differences;  // of the outputs of rows and the last ones before with their inputs
   std::size_t first_original = 0;   // what the first of `same` repeats
 };
 
@@ -43,20 +46,32 @@ bool has_continuous_inputs(const Dataset& record) {
 Pairs pairs_of(const Dataset& record) {
   std::vector<const std::vector<double>*> columns;
   for (const Axis axis : record.axes()) columns.push_back(&record.along(axis));
-  const std::vector<std::size_t> earlier = earlier_equals(record.rows(), columns);
+  const std::vector<std::size_t> set_up = earlier_equals(record.rows(), columns);
+  columns.push_back(&record.output);
+  const std::vector<std::size_t> equal = earlier_equals(record.rows(), columns);
+  std::vector<std::size_t> before(record.rows(), 0);  // rows with the same inputs
   Pairs pairs;
-  for (std::size_t row = 0; row < earlier.size(); ++row) {
-    if (earlier[row] == row) continue;
-    ++pairs.count;
-    const double difference = record.output[row] - record.output[earlier[row]];
-    if (difference != 0.0) {
-      pairs.differences.push_back(difference);
-    } else {
-      if (pairs.same.empty()) pairs.first_original = earlier[row];
-      pairs.same.push_back(row);
-    }
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    if (set_up[row] == row) continue;
+    before[row] = before[set_up[row]] + 1;
+    ++pairs.rows;
+    pairs.count += before[row];
+    const double difference = record.output[row] - record.output[set_up[row]];
+    if (difference != 0.0) pairs.differences.push_back(difference);
+    if (equal[row] == row) continue;
+    if (pairs.same.empty()) pairs.first_original = equal[row];
+    pairs.same.push_back(row);
   }
   return pairs;
+}
+
+// Where all rows with the same inputs have the same output, the noise is what every term of the static model
+// leaves.
+double scale_beyond_terms(const Dataset& record) {
+  const Dataset rows = record.select(thinned_rows(record.rows()));
+  const Matrix basis = orthonormal_rows(rows, full_terms());
+  if (rows.rows() < 2 * basis.columns()) return 0.0;
+  return median_scale(beyond_columns(basis, rows.output), basis.columns());
 }
 
 // Whether rounding explains that so many of the pairs have one output.
@@ -64,22 +79,26 @@ bool explained_by_rounding(const Pairs& pairs, const Dataset& record) {
   const OutputResolution resolution = output_resolution(record);
   if (pairs.differences.empty()) {
     if (has_continuous_inputs(record)) return false;
-    const bool planned = 2 * pairs.count >= record.rows();
-    return pairs.count < kFewPairs || (planned && resolution.step >= kFineOutput * resolution.range);
+    const bool planned = 2 * pairs.rows >= record.rows();
+    if (planned) return resolution.step >= kFineOutput * resolution.range;
   }
-  const double sd = median_scale(pairs.differences, 0);
+  const double sd = pairs.differences.empty() ? std::numbers::sqrt2 * scale_beyond_terms(record)
+                                              : median_scale(pairs.differences, 0);
+  if (!(sd > 0.0)) return true;
   const double same = std::min(1.0, resolution.step / (sd * std::sqrt(2.0 * std::numbers::pi)));
-  const double expected = kUnequalNoise * same * static_cast<double>(pairs.count);
+  const bool all_same = pairs.differences.empty() && pairs.same.size() >= kLeastAllSame;
+  const double expected = (all_same ? 1.0 : kUnequalNoise) * same * static_cast<double>(pairs.count);
   if (expected <= 0.0) return false;
   const boost::math::poisson_distribution<double> chance(expected);
   const auto observed = static_cast<double>(pairs.same.size());
-  return boost::math::cdf(boost::math::complement(chance, observed - 1.0)) > kUnlikely;
+  return boost::math::cdf(boost::math::complement(chance, observed - 1.0)) >
+         (all_same ? kUnlikelyAllSame : kUnlikely);
 }
 
 }  // namespace
 
 std::optional<Finding> find_duplicated_rows(const Dataset& record) {
-  if (record.rows() < 2 || record.rows() > kMostRows || record.axes().empty()) return std::nullopt;
+  if (record.rows() < 2 || record.axes().empty()) return std::nullopt;
   const Pairs pairs = pairs_of(record);
   if (pairs.same.empty() || explained_by_rounding(pairs, record)) return std::nullopt;
   return Finding{.code = Code::rows_duplicated,

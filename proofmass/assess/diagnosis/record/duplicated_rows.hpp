@@ -9,7 +9,7 @@
 namespace proofmass {
 
 // Says when rows repeat an earlier row, inputs and output, more often than rows with the same inputs have the
-// same output by the rounding of the output: rows pasted twice. Looks at records of at most a million rows.
+// same output by the rounding of the output: rows pasted twice.
 [[nodiscard]] std::optional<Finding> find_duplicated_rows(const Dataset& record);
 
 }  // namespace proofmass

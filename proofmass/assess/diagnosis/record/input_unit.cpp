@@ -8,9 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "proofmass/assess/diagnosis/record/linear_fit.hpp"
+#include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
+
 namespace proofmass {
 namespace {
 
+constexpr double kAgrees = 0.05;      // of the scale factor with one
 constexpr double kTolerance = 0.015;  // gravity over the Earth, and a head that is a little off
 
 // What one g reads as, in g, where the values are in `written` but taken for the unit `read`.
@@ -52,10 +56,20 @@ std::optional<Magnitudes> magnitudes(const Dataset& record) {
   return range;
 }
 
+// Whether an output that is declared an acceleration grows as the inputs do: then their range is what it is,
+// by chance near that of another unit.
+bool output_agrees(const Dataset& record) {
+  if (!record.output_unit.is_acceleration() || !record.output_unit_declared) return false;
+  const LinearFit fit = fit_linear(record.select(thinned_rows(record.rows())));
+  return std::abs(std::abs(fit.scale_factor) - 1.0) < kAgrees;
+}
+
 }  // namespace
 
 std::optional<Finding> find_other_input_unit(const Dataset& record) {
   if (record.rows() < 2 || record.axes().empty()) return std::nullopt;
+  const bool one_axis = record.axes().size() == 1;
+  if (one_axis && output_agrees(record)) return std::nullopt;
   const auto range = magnitudes(record);
   if (!range) return std::nullopt;
   for (const Mistake& mistake : kMistakes) {
@@ -65,7 +79,8 @@ std::optional<Finding> find_other_input_unit(const Dataset& record) {
       continue;
     return Finding{.code = Code::inputs_in_other_unit,
                    .severity = Severity::warning,
-                   .figures = {{"least", range->least / record.acceleration_unit.to_canonical},
+                   .figures = {{"magnitudes", std::string(one_axis ? "one_axis" : "all_axes")},
+                               {"least", range->least / record.acceleration_unit.to_canonical},
                                {"largest", range->greatest / record.acceleration_unit.to_canonical},
                                {"read", std::string(mistake.read)},
                                {"written", std::string(mistake.written)}}};

@@ -15,15 +15,17 @@
 namespace proofmass {
 
 LinearFit fit_linear(const Dataset& rows) {
+  if (rows.rows() == 0) return {};
   const TermSums sums(rows, linear_terms());
   const TermList terms = analyse_identifiability(sums, linear_terms()).identified;
-  LinearFit fit{.residuals = rows.output};
+  LinearFit fit{.model = {}, .residuals = rows.output};
   std::size_t fitted = 0;
   if (!terms.empty() && rows.rows() > terms.size()) {
     const TermRows regression = sums.rows(terms);
     const std::vector<double> coefficients =
         solve_normal_equations(sums.gram(terms), regression).coefficients;
     fitted = terms.size();
+    fit.model = {.terms = terms, .coefficients = coefficients};
     fit.residuals = regression_residuals(regression, coefficients);
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (terms[k] == Term::Ki) fit.scale_factor = coefficients[k];

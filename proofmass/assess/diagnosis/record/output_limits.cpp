@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "proofmass/assess/diagnosis/record/linear_fit.hpp"
+#include "proofmass/assess/diagnosis/record/output_faults.hpp"
 #include "proofmass/assess/diagnosis/record/output_resolution.hpp"
-#include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
+#include "proofmass/assess/diagnosis/record/plain_response.hpp"
 
 namespace proofmass {
 namespace {
@@ -33,30 +33,15 @@ OutputRange range_of(const std::vector<double>& values) {
   return {.least = *least, .greatest = *greatest};
 }
 
-// The rows whose output is neither the largest nor the smallest nor that of the row before; a sample of them.
-Dataset rows_above_suspicion(const Dataset& record) {
-  const OutputRange output = range_of(record.output);
-  std::vector<std::size_t> rows;
-  for (const std::size_t row : thinned_rows(record.rows())) {
-    const double e = record.output[row];
-    const bool held = row > 0 && e == record.output[row - 1];
-    if (!held && e != output.least && e != output.greatest) rows.push_back(row);
-  }
-  return record.select(rows);
-}
-
 // How far apart in Ai two rows must be for one output in both to say something: farther than rounding, noise
 // and nonlinearity bring together.
-std::optional<double> telling_distance(const Dataset& record) {
+std::optional<double> telling_distance(const Dataset& record, const std::optional<PlainResponse>& plain) {
   if (record.rows() < 8 || !record.has(Axis::input)) return std::nullopt;
   const double inputs = range_of(record.along(Axis::input)).width();
   const OutputResolution output = output_resolution(record);
   if (!(inputs > 0.0 && output.range > 0.0)) return std::nullopt;
-  const LinearFit fit = fit_linear(rows_above_suspicion(record));
-  if (fit.scale_factor == 0.0) return std::nullopt;
-  const double rounding = output.step / output.range;
-  return std::max(inputs * std::max(kDifferent, kStepsApart * rounding),
-                  kScales * fit.scale / std::abs(fit.scale_factor));
+  const double distance = inputs * std::max(kDifferent, kStepsApart * output.step / output.range);
+  return plain ? std::max(distance, kScales * plain->scale / plain->scale_factor) : distance;
 }
 
 // The rows with exactly this output.
@@ -68,20 +53,10 @@ std::vector<std::size_t> rows_at(const Dataset& record, double output) {
   return rows;
 }
 
-double spread_of_inputs(const Dataset& record, const std::vector<std::size_t>& rows) {
-  const std::vector<double>& a = record.along(Axis::input);
-  double least = a[rows.front()];
-  double greatest = least;
-  for (const std::size_t row : rows) {
-    least = std::min(least, a[row]);
-    greatest = std::max(greatest, a[row]);
-  }
-  return greatest - least;
-}
-
 std::optional<Finding> find_clipping(const Dataset& record, double limit, const char* which, double telling) {
   const std::vector<std::size_t> rows = rows_at(record, limit);
-  if (rows.size() < kLeastClipped || spread_of_inputs(record, rows) <= telling) return std::nullopt;
+  if (rows.size() < kLeastClipped || spread_over(record.along(Axis::input), rows) <= telling)
+    return std::nullopt;
   return Finding{.code = Code::output_clipped,
                  .severity = Severity::warning,
                  .lines = record.lines_of(rows),
@@ -97,15 +72,17 @@ struct HeldRows {
   std::vector<std::size_t> longest;
 };
 
-HeldRows held_rows(const Dataset& record, double telling) {
+// Those at an output that is clipped are not held.
+HeldRows held_rows(const Dataset& record, const std::vector<double>& limits, double telling) {
   const std::vector<double>& a = record.along(Axis::input);
   HeldRows held;
   std::size_t start = 0;
   const auto close = [&](std::size_t end) {
     if (end - start < 2) return;
+    if (std::find(limits.begin(), limits.end(), record.output[start]) != limits.end()) return;
     std::vector<std::size_t> run;
     for (std::size_t row = start; row < end; ++row) run.push_back(row);
-    if (spread_of_inputs(record, run) <= telling) return;
+    if (spread_over(a, run) <= telling) return;
     held.rows.insert(held.rows.end(), run.begin() + 1, run.end());
     if (run.size() > held.longest.size()) held.longest = std::move(run);
   };
@@ -118,8 +95,8 @@ HeldRows held_rows(const Dataset& record, double telling) {
   return held;
 }
 
-std::optional<Finding> find_held(const Dataset& record, double telling) {
-  const HeldRows held = held_rows(record, telling);
+std::optional<Finding> find_held(const Dataset& record, const std::vector<double>& limits, double telling) {
+  const HeldRows held = held_rows(record, limits, telling);
   const auto fraction = static_cast<double>(held.rows.size()) / static_cast<double>(record.rows());
   const bool many = held.rows.size() >= kLeastHeld && fraction > kHeldFraction;
   if (held.longest.size() < kLeastHeld && !many) return std::nullopt;
@@ -138,15 +115,22 @@ std::optional<Finding> find_held(const Dataset& record, double telling) {
 
 std::vector<Finding> find_output_limits(const Dataset& record) {
   std::vector<Finding> findings;
-  const auto telling = telling_distance(record);
+  const std::optional<PlainResponse> plain = plain_response(record);
+  const auto telling = telling_distance(record, plain);
   if (!telling) return findings;
   const OutputRange output = range_of(record.output);
   const auto add = [&findings](std::optional<Finding> found) {
-    if (found) findings.push_back(std::move(*found));
+    const bool any = found.has_value();
+    if (any) findings.push_back(std::move(*found));
+    return any;
   };
-  add(find_clipping(record, output.greatest, "largest", *telling));
-  add(find_clipping(record, output.least, "smallest", *telling));
-  add(find_held(record, *telling));
+  std::vector<double> limits;
+  if (add(find_clipping(record, output.greatest, "largest", *telling))) limits.push_back(output.greatest);
+  if (add(find_clipping(record, output.least, "smallest", *telling))) limits.push_back(output.least);
+  add(find_held(record, limits, *telling));
+  if (!plain || !findings.empty()) return findings;
+  if (add(find_repeated_output(record, *plain)) || add(find_saturation(record, *plain))) return findings;
+  add(find_stuck(record, *plain));
   return findings;
 }
 

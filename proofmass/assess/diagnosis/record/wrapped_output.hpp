@@ -8,9 +8,9 @@
 
 namespace proofmass {
 
-// Says when outputs that are counts, or whole numbers, fall into groups 2^n apart, n from 8 to 24, and moving
-// the upper group down by 2^n makes them follow the inputs at least three times as closely: signed counts
-// read as unsigned, or a counter that ran over.
-[[nodiscard]] std::optional<Finding> find_wrapped_counts(const Dataset& record);
+// Says when outputs, in the order of their Ai, jump back by one constant, once or more, and follow the inputs
+// at least three times as closely when as many of it are added: signed counts read as unsigned, or a counter
+// or converter that ran over. Counts jump by 2^n, n from 8 to 32.
+[[nodiscard]] std::optional<Finding> find_wrapped_output(const Dataset& record);
 
 }  // namespace proofmass
