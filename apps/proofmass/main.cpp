@@ -9,15 +9,14 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "completion.hpp"
 #include "help_text.hpp"
 #include "interrupts.hpp"
-#include "manual.hpp"
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/nearest.hpp"
@@ -41,11 +40,13 @@ constexpr std::array kVerbs{
     Verb{"reproduce", "Repeat the paper's experiment on a simulated twin", add_reproduce},
     Verb{"predict", "Predict the output for given accelerations from a result file", add_predict},
     Verb{"inspect", "Summarise a test record and the terms that its inputs can identify", add_inspect},
+    Verb{"completion", "Print what completes commands in a shell", add_completion},
+    Verb{"manual", "Print the manual page of the program or of a verb, for man", add_manual},
+    Verb{"help", "Show the help of the program or of a verb", add_help},
 };
 
 constexpr auto kFooter =
     "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input data, 4 refused,\n130 interrupted.\n"
-    "\"proofmass completion bash|zsh|fish\" prints what completes commands in a shell.\n"
     "\"proofmass VERB --help\" lists a verb's options and shows examples.";
 
 // Standard error may be closed or full; the exit code then has to say it all.
@@ -98,18 +99,18 @@ void require_known_verb(const std::string& word) {
 
 // What CLI11 says of a word that the verb does not know, with the option that it looks like and the page of
 // help that lists them.
-Error misused(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string_view>& words) {
+Error misused(const CLI::ParseError& error, const CLI::App& app, std::span<const std::string> words) {
   std::string page = "proofmass --help";
   std::string meant;
   for (const CLI::App* verb : app.get_subcommands({})) {
-    if (words.size() < 2 || verb->get_name() != words[1]) continue;
+    if (verb->get_name() != words.front()) continue;
     page = fmt::format("proofmass {} --help", verb->get_name());
     std::vector<std::string> names;
     for (const CLI::Option* option : verb->get_options()) {
       if (!option->get_group().empty()) names.push_back(option->get_name());
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
-    for (const std::string_view word : words) {
+    for (const std::string_view word : words.subspan(1)) {
       if (!word.starts_with("--") || std::find(views.begin(), views.end(), word) != views.end()) continue;
       if (meant.empty()) meant = did_you_mean(word.substr(0, word.find('=')), views);
     }
@@ -121,21 +122,23 @@ Error misused(const CLI::ParseError& error, const CLI::App& app, const std::vect
 std::vector<std::string> as_typed(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (words.empty()) return {"--help"};
-  if (words.front() != "help") return words;
+  if (words.front() != "help" || (words.size() > 1 && words[1] == "--help")) return words;
   words.erase(words.begin());
   words.emplace_back("--help");
   return words;
 }
 
-// "completion SHELL" and "manual [VERB]" print what is made from the verbs and their options; false for other
-// words.
-bool prints_page(const std::vector<std::string>& typed, CLI::App& app) {
-  const std::string& word = typed.front();
-  if (word != "completion" && word != "manual") return false;
-  if (typed.size() > 2) throw usage_error(fmt::format("{} takes one word after it", word));
-  const std::string which = typed.size() == 2 ? typed[1] : "";
-  print(word == "manual" ? manual_page(app, which) : completion_script(app, which));
-  return true;
+// Adds the verbs, and returns what each of them does. The options of a verb that no word names would be made
+// for nothing; completion and manual pages are made from those of all.
+std::vector<std::pair<CLI::App*, Action>> add_verbs(CLI::App& app, std::span<const std::string> words) {
+  const bool all = words.front() == "completion" || words.front() == "manual";
+  std::vector<std::pair<CLI::App*, Action>> actions;
+  for (const Verb& verb : kVerbs) {
+    CLI::App* const added = app.add_subcommand(verb.name, verb.description);
+    if (all || std::find(words.begin(), words.end(), verb.name) != words.end())
+      actions.emplace_back(added, verb.add(*added));
+  }
+  return actions;
 }
 
 // Parses the command line and does what it says. CLI11 would exit with codes of its own (105 and up): they
@@ -147,18 +150,8 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kFooter);
   app.formatter(std::make_shared<HelpText>());  // of the verbs too
-  std::vector<std::pair<CLI::App*, Action>> actions;
-  std::vector<std::string> typed = as_typed(argc, argv);
-  std::vector<std::string_view> words(typed.begin(), typed.end());
-  words.insert(words.begin(), "proofmass");
-  for (const Verb& verb : kVerbs) {
-    CLI::App* const added = app.add_subcommand(verb.name, verb.description);
-    // The options of a verb that no word names would be made for nothing.
-    const bool all = typed.front() == "completion" || typed.front() == "manual";
-    if (!all && std::find(words.begin(), words.end(), verb.name) == words.end()) continue;
-    actions.emplace_back(added, verb.add(*added));
-  }
-  if (prints_page(typed, app)) return 0;
+  const std::vector<std::string> typed = as_typed(argc, argv);
+  const auto actions = add_verbs(app, typed);
   require_known_verb(typed.front());
   try {
     app.parse(std::vector<std::string>(typed.rbegin(), typed.rend()));  // CLI11 takes them from the back
@@ -169,7 +162,7 @@ int dispatch(int argc, char** argv) {
     print(app.help());
     return 0;
   } catch (const CLI::ParseError& error) {
-    throw misused(error, app, words);
+    throw misused(error, app, typed);
   }
   for (const auto& [verb, action] : actions) {
     if (verb->parsed()) action();

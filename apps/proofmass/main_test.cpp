@@ -8,17 +8,19 @@ namespace {
 class Program : public CommandLine {};
 
 TEST_F(Program, HelpsAndNamesItsVersion) {
-  for (const char* const verb : {"simulate", "identify", "predict", "inspect"}) {
+  for (const char* const verb : {"simulate", "identify", "compare", "reproduce", "predict", "inspect",
+                                 "completion", "manual", "help"}) {
     const Outcome help = proofmass({verb, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.out.find(std::string("Examples:\n  proofmass ") + verb), std::string::npos) << help.out;
     EXPECT_EQ(help.err, "");
+    EXPECT_EQ(proofmass({"help", verb}).out, help.out);
   }
   const Outcome help = proofmass({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(proofmass({}).out, help.out);
+  EXPECT_EQ(proofmass({}).exit_code, 0);
   EXPECT_EQ(proofmass({"help"}).out, help.out);
-  EXPECT_EQ(proofmass({"help", "identify"}).out, proofmass({"identify", "--help"}).out);
   EXPECT_TRUE(proofmass({"--version"}).out.starts_with("proofmass "));
 }
 
@@ -27,6 +29,10 @@ TEST_F(Program, ExitsWithTwoOnUsageErrors) {
   expect_failure(proofmass({"divine", record}), 2, {"unknown verb 'divine'", "identify"});
   expect_failure(proofmass({"identfy", record}), 2, {"did you mean identify?"});
   expect_failure(proofmass({"help", "identfy"}), 2, {"did you mean identify?"});
+  expect_failure(proofmass({"complete"}), 2, {"completion, manual, help"});
+  expect_failure(proofmass({"hlep"}), 2, {"did you mean help?"});
+  expect_failure(proofmass({"completion"}), 2, {"SHELL", "proofmass completion --help"});
+  expect_failure(proofmass({"manual", "identify", "more"}), 2, {"more", "proofmass manual --help"});
   expect_failure(proofmass({"identify", record, "--metod", "ols"}), 2,
                  {"--metod", "did you mean --method?", "proofmass identify --help"});
   expect_failure(proofmass({"identify", record, "--method", "pso_bp"}), 2, {"did you mean pso-bp?"});

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
-#include "options_shown.hpp"
+#include "completion/options_shown.hpp"
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/nearest.hpp"
 #include "proofmass/core/version.hpp"
 
 namespace proofmass::cli {
@@ -76,7 +79,9 @@ std::string of_verb(const CLI::App& verb) {
   std::string text = head("proofmass-" + verb.get_name(), verb.get_description());
   text += fmt::format(".SH SYNOPSIS\n.B proofmass {}\n[OPTIONS]", verb.get_name());
   for (const CLI::Option* const option : verb.get_options()) {
-    if (option->get_positional()) text += " " + escaped(option->get_name(true));
+    if (!option->get_positional()) continue;
+    const std::string name = escaped(option->get_name(true));
+    text += option->get_required() ? " " + name : " [" + name + "]";
   }
   return text + "\n" + options(verb) + ".SH EXAMPLES\n" + as_typed(verb.get_footer()) +
          ".SH SEE ALSO\n.BR proofmass (1)\n";
@@ -89,7 +94,10 @@ std::string manual_page(const CLI::App& app, std::string_view name) {
   for (const CLI::App* const verb : app.get_subcommands({})) {
     if (verb->get_name() == name) return of_verb(*verb);
   }
-  throw usage_error(fmt::format("manual: unknown verb '{}'", excerpt(name)));
+  const std::vector<std::string> names = verb_names(app);
+  throw usage_error(
+      fmt::format("manual: unknown verb '{}'{}", excerpt(name),
+                  did_you_mean(name, std::vector<std::string_view>(names.begin(), names.end()))));
 }
 
 }  // namespace proofmass::cli
