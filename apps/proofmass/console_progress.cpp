@@ -5,12 +5,13 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <utility>
 
 #include "interrupts.hpp"
+#include "output.hpp"
+#include "progress_text.hpp"
 
 namespace proofmass::cli {
 namespace {
@@ -20,13 +21,6 @@ constexpr auto kPatience = 2s;  // before the first line
 constexpr auto kRewritePause = 100ms;
 constexpr auto kLinePause = 10s;
 constexpr auto kWatchPause = 500ms;
-constexpr double kFractionForForecast = 0.1;
-
-std::string clock_text(double seconds) {
-  const auto whole = static_cast<long>(std::ceil(seconds));
-  if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-  return fmt::format("{}:{:02}", whole / 60, whole % 60);
-}
 
 // A thread that signals do not reach: they are for the thread that waits for input.
 template <typename Function>
@@ -41,17 +35,6 @@ std::thread thread_without_signals(Function function) {
 }
 
 }  // namespace
-
-std::string progress_text(const StageProgress& progress) {
-  const auto& [stage, first, done, total, seconds] = progress;
-  const std::string so_far = fmt::format("{} so far", clock_text(seconds));
-  if (total <= 1) return fmt::format("{}: {}", stage, so_far);
-  const std::string text = fmt::format("{}: {} of {} ({} %)", stage, done, total, done * 100 / total);
-  const auto made = static_cast<double>(done) - static_cast<double>(first);
-  const auto all = static_cast<double>(total) - static_cast<double>(first);
-  if (!(made >= kFractionForForecast * all && made > 0.0)) return fmt::format("{}, {}", text, so_far);
-  return fmt::format("{}, {} left", text, clock_text(seconds / made * (all - made)));
-}
 
 ConsoleProgress::ConsoleProgress(bool quiet) : quiet_(quiet), rewrite_(isatty(STDERR_FILENO) == 1) {
   if (!quiet_) watcher_ = thread_without_signals([this] { watch(); });
@@ -85,7 +68,9 @@ void ConsoleProgress::show(Clock::time_point now) {
                      .first = stage_first_,
                      .done = done_,
                      .total = total_,
-                     .seconds = std::chrono::duration<double>(now - stage_start_).count()});
+                     .seconds = std::chrono::duration<double>(now - stage_start_).count()},
+                    // With one column to spare: the cursor then stays in the line.
+                    rewrite_ ? terminal_columns(STDERR_FILENO).value_or(kAnyWidth) - 1 : kAnyWidth);
   std::fputs(rewrite_ ? fmt::format("\r{}\x1b[K", text).c_str() : fmt::format("{}\n", text).c_str(), stderr);
   shown_ = true;
   last_ = now;

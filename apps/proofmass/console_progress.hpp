@@ -47,17 +47,4 @@ class ConsoleProgress final : public Progress {
   std::thread watcher_;
 };
 
-// How far a stage is. The units may be a limit that an iteration ends long before: what is left is told from
-// a tenth of them on.
-struct StageProgress {
-  std::string_view stage;
-  std::size_t first = 0;  // units done when the stage was first heard of
-  std::size_t done = 0;
-  std::size_t total = 0;
-  double seconds = 0.0;  // since then
-};
-
-// "pso-bp swarm: 12 of 60 (20 %), 1:05 left"; "robust regression: 0:34 so far" of a stage in one piece.
-[[nodiscard]] std::string progress_text(const StageProgress& progress);
-
 }  // namespace proofmass::cli

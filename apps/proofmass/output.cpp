@@ -22,13 +22,13 @@ namespace {
 constexpr std::size_t kUsualWidth = 80;  // columns, where standard output is no terminal
 constexpr std::size_t kLeastWidth = 40;  // less is not a width that anybody reads tables in
 
-std::size_t terminal_width() {
-  winsize size{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kUsualWidth;
-  return std::max<std::size_t>(size.ws_col, kLeastWidth);
-}
-
 }  // namespace
+
+std::optional<std::size_t> terminal_columns(int descriptor) {
+  winsize size{};
+  if (ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
+  return size.ws_col;
+}
 
 void print(std::string_view text) {
   // Streams would go on waiting for the reader after a signal.
@@ -52,7 +52,9 @@ TerminalStyle terminal_style(bool wide) {
   const char* const no_colour = std::getenv("NO_COLOR");
   const bool refused = no_colour != nullptr && *no_colour != '\0';
   const bool terminal = isatty(STDOUT_FILENO) == 1;
-  return {.colour = !refused && terminal, .width = wide ? 0 : terminal ? terminal_width() : kUsualWidth};
+  const std::size_t width =
+      terminal ? std::max(terminal_columns(STDOUT_FILENO).value_or(kUsualWidth), kLeastWidth) : kUsualWidth;
+  return {.colour = !refused && terminal, .width = wide ? 0 : width};
 }
 
 OutputFiles::~OutputFiles() {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <iosfwd>
 #include <list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,10 @@ namespace proofmass::cli {
 // Writes to standard output and flushes. Throws a usage Error when that fails, as on a full disk; that nobody
 // reads any more is not a failure. Throws an Error of kind interrupted when asked to stop.
 void print(std::string_view text);
+
+// How many columns the terminal behind a file descriptor has; nothing where there is none, or it does not
+// say.
+[[nodiscard]] std::optional<std::size_t> terminal_columns(int descriptor);
 
 // Colour on standard output: only on a terminal, and not when NO_COLOR is set (no-color.org). Lines are as
 // long as the terminal is wide, 80 columns elsewhere, and of any length when `wide`.
