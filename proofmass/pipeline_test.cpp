@@ -12,6 +12,7 @@
 #include <numeric>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -142,6 +143,29 @@ TEST(SplitRows, RefusesFractionsThatMakeNoSense) {
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::usage);
     }
+  }
+}
+
+// A fraction below 1 asks for rows to test on.
+TEST(SplitRows, RefusesAFractionThatLeavesNoRowForTesting) {
+  for (const auto& [rows, fraction, most] : {std::tuple{2U, 0.8, "0.5"},
+                                             {3U, 0.9, "0.6"},
+                                             {10U, 0.95, "0.9"},
+                                             {15U, 0.999, "0.93"},
+                                             {1000U, 0.9999, "0.999"},
+                                             {1001U, 0.9999, "0.999"}}) {
+    try {
+      (void)split_rows(rows, {.training_fraction = fraction}, 1);
+      ADD_FAILURE() << rows;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+      ASSERT_EQ(error.remedies().size(), 2U);
+      EXPECT_EQ(error.remedies()[0].value, "1");
+      EXPECT_EQ(error.remedies()[1].value, most);
+      EXPECT_EQ(std::string(error.what()).find("--"), std::string::npos) << "flags are the program's";
+    }
+    EXPECT_EQ(split_rows(rows, {.training_fraction = 1.0}, 1).training.size(), rows);
+    EXPECT_GE(split_rows(rows, {.training_fraction = std::stod(most)}, 1).test.size(), 1U);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "proofmass/core/dataset.hpp"
@@ -42,6 +43,46 @@ std::pair<std::size_t, std::size_t> part_sizes(std::size_t rows, const SplitOpti
   return {count(training), count(validation)};
 }
 
+// The largest fraction, in as few digits as do, that leaves a row for testing: 0.93 of 15 rows.
+double largest_fraction(std::size_t rows) {
+  double scale = 10.0;
+  while (scale < static_cast<double>(rows)) scale *= 10.0;
+  return std::floor(scale * static_cast<double>(rows - 1) / static_cast<double>(rows)) / scale;
+}
+
+// A fraction below 1 asks for rows to test on. One row is too few for anything, which is said elsewhere.
+void require_test_row(std::size_t rows, double fraction, std::size_t training) {
+  if (rows < 2 || fraction >= 1.0 || training < rows) return;
+  const std::string most = fmt::format("{}", largest_fraction(rows));
+  throw Error(
+      ErrorKind::usage,
+      fmt::format("a split of {} leaves none of {} rows to test on: it must be 1, to fit all rows, or at "
+                  "most {}",
+                  fraction, rows, most),
+      {{"split", "1"}, {"split", most}});
+}
+
+Split drawn_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed) {
+  const auto [training, validation] = part_sizes(rows, options);
+  if (training == rows && validation == 0) {
+    Split all;
+    all.training.resize(rows);
+    std::iota(all.training.begin(), all.training.end(), std::size_t{0});
+    return all;
+  }
+  RandomStream random(seed, stream_id("split"));
+  const std::vector<std::size_t> order = random_permutation(rows, random);
+  const auto part = [&order](std::size_t first, std::size_t last) {
+    std::vector<std::size_t> chosen(order.begin() + static_cast<std::ptrdiff_t>(first),
+                                    order.begin() + static_cast<std::ptrdiff_t>(last));
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+  };
+  return {.training = part(validation, training),
+          .validation = part(0, validation),
+          .test = part(training, rows)};
+}
+
 // How many mounts, in that order, have nearest to `rows` rows; at least `least` and at most `most`.
 std::size_t mounts_near(const std::vector<std::vector<std::size_t>>& members,
                         const std::vector<std::size_t>& order, std::size_t rows, std::size_t least,
@@ -70,24 +111,8 @@ std::vector<std::size_t> rows_of(const std::vector<std::vector<std::size_t>>& me
 }  // namespace
 
 Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed) {
-  const auto [training, validation] = part_sizes(rows, options);
-  if (training == rows && validation == 0) {
-    Split all;
-    all.training.resize(rows);
-    std::iota(all.training.begin(), all.training.end(), std::size_t{0});
-    return all;
-  }
-  RandomStream random(seed, stream_id("split"));
-  const std::vector<std::size_t> order = random_permutation(rows, random);
-  const auto part = [&order](std::size_t first, std::size_t last) {
-    std::vector<std::size_t> chosen(order.begin() + static_cast<std::ptrdiff_t>(first),
-                                    order.begin() + static_cast<std::ptrdiff_t>(last));
-    std::sort(chosen.begin(), chosen.end());
-    return chosen;
-  };
-  return {.training = part(validation, training),
-          .validation = part(0, validation),
-          .test = part(training, rows)};
+  require_test_row(rows, options.training_fraction, part_sizes(rows, options).first);
+  return drawn_rows(rows, options, seed);
 }
 
 Split split_mounts(std::span<const std::string> mounts, const SplitOptions& options, std::uint64_t seed) {
@@ -140,7 +165,7 @@ std::vector<Split> trials_of(const SplitOptions& options, std::size_t rows, std:
 std::vector<Split> split_for_trials(std::size_t rows, const SplitOptions& options, std::uint64_t seed,
                                     std::size_t trials) {
   return trials_of(options, rows, seed, trials,
-                   [&](std::uint64_t own) { return split_rows(rows, inner(options), own); });
+                   [&](std::uint64_t own) { return drawn_rows(rows, inner(options), own); });
 }
 
 std::vector<Split> split_mounts_for_trials(std::span<const std::string> mounts, const SplitOptions& options,

@@ -20,7 +20,8 @@ struct SplitOptions {
 // round(training_fraction * rows) rows drawn at random for training, of which
 // round(validation_fraction * rows) are set aside for validation; the rest are for testing. The test part
 // depends on rows, training fraction and seed alone, so every method sees the same. Throws a usage Error on
-// fractions that leave no training rows, or of which some validation is left no row.
+// fractions that leave no training rows, of which some validation is left no row, or less than 1 that leave
+// no row of several for testing; that of the last has the fractions that would do.
 [[nodiscard]] Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed);
 
 // The same with whole mounts, `mounts` being the label of each row: as many mounts, drawn at random, as come

@@ -45,6 +45,8 @@ TEST_F(Program, ExitsWithTwoOnUsageErrors) {
   expect_failure(proofmass({"identify", record, "--terms", "K0", "--model", "full"}), 2,
                  {"--terms", "--model"});
   expect_failure(proofmass({"identify", record, "--split", "1.5"}), 2, {"--split", "'1.5'", "at most 1"});
+  expect_failure(proofmass({"identify", record, "--split", "0.999"}), 2,
+                 {"0.999 leaves none of 300 rows to test on", "try: --split 1 or --split 0.996"});
   expect_failure(proofmass({"identify", record, "--split", "nan"}), 2, {"--split", "'nan'"});
   expect_failure(proofmass({"identify", record, "--method", "bp", "--hidden", "0"}), 2,
                  {"--hidden", "'0'", "from 1 to 1000"});
