@@ -61,7 +61,10 @@ std::string for_the_shell(const std::string& word) {
   const bool plain =
       word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_=,.+-/:@%") ==
       std::string::npos;
-  return plain ? word : "'" + word + "'";
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 // Why, and what a user can do about it, as flags: "--split 1 or --terms K0,Ki,...".

@@ -110,5 +110,33 @@ TEST_F(Program, ExitsWithThreeOnBadRecordsAndNamesThePlace) {
   expect_failure(proofmass({"inspect", at("")}), 3, {"directory"});
 }
 
+// What "try:" says can be pasted: it names columns that the file has, where they are few.
+TEST_F(Program, NamesColumnsToPaste) {
+  struct Case {
+    std::string header;
+    std::vector<std::string> flags;
+    std::string remedy;
+  };
+  const std::vector<Case> cases{
+      {"x,E", {}, "--map Ai=x"},
+      {"x,y,E", {}, "--map Ai=x or --map Ai=y"},
+      {"ax[g],E,out[V]", {}, "--map 'Ai=ax[g]'"},
+      {"note,ax[g],ay[V],E", {}, "--map 'Ai=ax[g]'"},
+      {"Ai,bob's", {}, "--map 'E=bob'\\''s'"},
+      {"x,E,x", {}, "--map 'Ai=#1' or --map 'Ai=#3'"},
+      {"a,b,c,d,E", {}, "--map Ai=NAME"},
+      {"ax,out", {"--map", "Ai=ax"}, "--map E=out"},
+      {"Ai,x,out", {"--map", "E=otu"}, "--map E=out"},
+      {"AI,e", {}, "--map Ai=AI,E=e"},
+  };
+  for (const Case& one : cases) {
+    std::vector<std::string> command{"inspect", write("run.csv", one.header + "\n1,2,3,4,5\n")};
+    command.insert(command.end(), one.flags.begin(), one.flags.end());
+    const Outcome outcome = proofmass(command);
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_TRUE(outcome.err.ends_with("\ntry: " + one.remedy + "\n")) << one.header << ": " << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace proofmass::test

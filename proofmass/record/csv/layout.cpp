@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/nearest.hpp"
 #include "proofmass/core/units.hpp"
 #include "proofmass/record/csv/fields.hpp"
 #include "proofmass/record/csv/units.hpp"
@@ -72,7 +73,52 @@ const HeaderCell* angle_of(const Header& header) {
   return found == header.cells.end() ? nullptr : &*found;
 }
 
-Error missing(const Header& header, Column column, const std::string& wanted) {
+// How a renaming asks for a cell: by what stands there, or by its position where that stands there twice.
+std::string asked_for(const Header& header, const HeaderCell& cell) {
+  const auto same = [&cell](const HeaderCell& other) { return other.text == cell.text; };
+  if (std::count_if(header.cells.begin(), header.cells.end(), same) == 1) return excerpt(cell.text);
+  return fmt::format("#{}", &cell - header.cells.data() + 1);
+}
+
+// What may stand in the place of a missing column: cells that are no column of Proofmass's and not renamed,
+// in a unit that it may have; those that say such a unit where some do.
+std::vector<std::string> candidates(const Header& header, Column column, const ReadOptions& options) {
+  const auto renamed = [&](const HeaderCell& cell) {
+    return std::any_of(options.rename.begin(), options.rename.end(), [&](const auto& renaming) {
+      const auto position = position_of(renaming.second);
+      return position ? &header.cells[std::min(*position, header.cells.size() - 1)] == &cell
+                      : renaming.second == cell.text || renaming.second == cell.name;
+    });
+  };
+  std::vector<std::string> names;
+  std::vector<std::string> with_unit;
+  for (const HeaderCell& cell : header.cells) {
+    const bool known = find_column(cell.name) && !cell.loose;
+    if (cell.text.empty() || known || renamed(cell) || !may_have_unit(column, cell.unit)) continue;
+    names.push_back(asked_for(header, cell));
+    if (cell.unit) with_unit.push_back(names.back());
+  }
+  return with_unit.empty() ? names : with_unit;
+}
+
+// Renamings to paste: the slips, the name nearest to the one asked for, or the few columns that there are. Of
+// many nobody knows which is meant.
+std::vector<Remedy> renamings(const Header& header, Column column, const std::string& wanted,
+                              const ReadOptions& options) {
+  constexpr std::size_t most = 3;
+  const bool own = wanted == column_name(column);
+  if (own && slip_of(header, column) != nullptr) return {{"map", slips_of(header)}};
+  std::vector<std::string> names = candidates(header, column, options);
+  const std::string nearest = nearest_name(wanted, std::vector<std::string_view>(names.begin(), names.end()));
+  if (!own && !nearest.empty()) names = {nearest};
+  if (names.empty() || names.size() > most) names = {"NAME"};
+  std::vector<Remedy> remedies;
+  for (const std::string& name : names)
+    remedies.push_back({"map", fmt::format("{}={}", column_name(column), name)});
+  return remedies;
+}
+
+Error missing(const Header& header, Column column, const std::string& wanted, const ReadOptions& options) {
   const bool own = wanted == column_name(column);
   const std::string renamed = own ? "" : fmt::format(" (it was to be read as {})", column_name(column));
   const HeaderCell* const angle = measured_by(column) || column == Column::E ? nullptr : angle_of(header);
@@ -82,17 +128,11 @@ Error missing(const Header& header, Column column, const std::string& wanted) {
                              "; '{}' is an angle: with the input axis at that angle from the vertical, Ai = "
                              "cos(angle) and the cross axis sin(angle), in g. Add such columns",
                              excerpt(angle->text));
-  const HeaderCell* const slip = own ? slip_of(header, column) : nullptr;
-  std::vector<Remedy> remedies;
-  if (angle == nullptr) {
-    remedies.push_back(
-        {"map", slip == nullptr ? fmt::format("{}=NAME", column_name(column)) : slips_of(header)});
-  }
   return bad_data(
       {.file = header.file, .row = header.row, .column = wanted}, names_of(header),
       fmt::format("a column named {}{}; columns are separated by comma, semicolon, tab or blanks{}", wanted,
                   renamed, advice),
-      std::move(remedies));
+      angle == nullptr ? renamings(header, column, wanted, options) : std::vector<Remedy>{});
 }
 
 // The only cell that `matches`. Empty when there is none; throws an Error when there are more.
@@ -154,9 +194,10 @@ std::optional<FoundColumn> find_renamed(const Header& header, const std::string&
   return index ? std::optional(FoundColumn{*index, agreed_unit(header, *index, unit)}) : std::nullopt;
 }
 
-PlacedColumn renamed_column(const Header& header, Column column, const std::string& wanted) {
+PlacedColumn renamed_column(const Header& header, Column column, const std::string& wanted,
+                            const ReadOptions& options) {
   const auto found = find_renamed(header, wanted);
-  if (!found) throw missing(header, column, wanted);
+  if (!found) throw missing(header, column, wanted, options);
   return place_column(header, column, found->index, found->unit);
 }
 
@@ -171,7 +212,7 @@ std::vector<PlacedColumn> renamed_columns(const Header& header, const ReadOption
                       "sigma_Ao, sigma_Ap, mount, T, t",
                       name));
     }
-    placed.push_back(renamed_column(header, *column, wanted));
+    placed.push_back(renamed_column(header, *column, wanted, options));
     if (!taken.insert(placed.back().index).second) {
       throw usage_error(
           fmt::format("column '{}' is renamed twice", excerpt(header.cells[placed.back().index].text)));
@@ -252,8 +293,8 @@ std::vector<IgnoredColumn> ignored_columns(const Header& header, const std::vect
 std::vector<PlacedColumn> place_columns(const Header& header, const ReadOptions& options) {
   std::vector<PlacedColumn> placed = renamed_columns(header, options);
   add_named_columns(header, placed);
-  if (!holds(placed, Column::Ai)) throw missing(header, Column::Ai, "Ai");
-  if (options.require_output && !holds(placed, Column::E)) throw missing(header, Column::E, "E");
+  if (!holds(placed, Column::Ai)) throw missing(header, Column::Ai, "Ai", options);
+  if (options.require_output && !holds(placed, Column::E)) throw missing(header, Column::E, "E", options);
   // Where no output is needed, what stands in its place must not refuse the inputs.
   if (!options.require_output)
     std::erase_if(placed, [](const PlacedColumn& p) { return p.column == Column::E; });
