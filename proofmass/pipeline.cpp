@@ -16,6 +16,7 @@
 #include "proofmass/assess/metrics.hpp"
 #include "proofmass/assess/selection/hidden_search.hpp"
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/core/version.hpp"
 #include "proofmass/identify/method_options.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
@@ -40,9 +41,9 @@ void require_training_rows(const Dataset& record, const Split& split, const Iden
   if (record.rows() >= needed && *options.split < 1.0) remedies.push_back({"split", "1"});
   remedies.push_back({"terms", ""});
   throw Error(ErrorKind::bad_data,
-              fmt::format("{}: {} rows, {} of them used for fitting (split {}), {} needed for {} terms",
-                          record.source, record.rows(), split.training.size(), *options.split, needed,
-                          options.terms.size()),
+              fmt::format("{}: {}, {} of them used for fitting (split {}), {} needed for {}", record.source,
+                          amount_text(record.rows(), "row"), split.training.size(), *options.split, needed,
+                          amount_text(options.terms.size(), "term")),
               std::move(remedies));
 }
 

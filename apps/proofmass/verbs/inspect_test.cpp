@@ -18,6 +18,12 @@ TEST_F(InspectVerb, SummarisesARecord) {
   EXPECT_EQ(inspection["models"][2]["identified"].size(), 15U);
 }
 
+TEST_F(InspectVerb, CountsOneRowAsOne) {
+  const Outcome seen = proofmass({"inspect", write("run.csv", "# Ai,E of a bench\nAi,E\n1,2\n")});
+  ASSERT_EQ(seen.exit_code, 0) << seen.err;
+  EXPECT_NE(seen.out.find("run.csv: 1 row\n"), std::string::npos) << seen.out;
+}
+
 TEST_F(InspectVerb, NamesTheTermsThatAMissingAxisCosts) {
   const std::string record = write("run.csv", "a;b\n1;1.1\n2;2.1\n3;3.1\n-4;-4.1\n5;5.2\n-6;-6.2\n");
   const Outcome seen = proofmass({"inspect", record, "--map", "Ai=a,E=b[mA]", "--json", "-"});

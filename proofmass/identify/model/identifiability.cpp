@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/written_resolution.hpp"
 #include "proofmass/numeric/linear/rank_analysis.hpp"
 
@@ -109,18 +110,18 @@ Finding unidentified(std::size_t c, const RankAnalysis& analysis, const std::vec
 Error not_identifiable(const Dataset& data, const TermList& terms, Identifiability found) {
   TermList names;
   for (const Finding& finding : found.unidentified) names.push_back(finding.terms.front());
-  return refusal(fmt::format("{}: the inputs cannot identify {} of the {} terms asked for: {}. Fit without "
+  return refusal(fmt::format("{}: the inputs cannot identify {} of the {} asked for: {}. Fit without "
                              "them, ask for fewer terms, or test in more mounts",
-                             data.source, names.size(), terms.size(), join_names(names)),
+                             data.source, names.size(), amount_text(terms.size(), "term"), join_names(names)),
                  terms_remedies(found.identified), std::move(found.unidentified));
 }
 
 void require_rows(const Dataset& data, const TermList& terms) {
   const std::size_t needed = terms.size() + 1;
   if (data.rows() >= needed) return;
-  throw bad_data({.file = data.source, .row = 0, .column = {}}, fmt::format("{} rows to fit", data.rows()),
-                 fmt::format("at least {}, one more than the {} terms asked for ({})", needed, terms.size(),
-                             join_names(terms)),
+  throw bad_data({.file = data.source, .row = 0, .column = {}}, amount_text(data.rows(), "row") + " to fit",
+                 fmt::format("at least {}, one more than the {} asked for ({})", needed,
+                             amount_text(terms.size(), "term"), join_names(terms)),
                  {{"terms", ""}});
 }
 

@@ -59,7 +59,7 @@ TEST(Bp, OneStartIsTheTextbookMethod) {
     trainer.train(state, method.network.training.epochs, test::always);
     EXPECT_EQ(result.network->weights, canonical_weights(task.shape, state.weights));
     EXPECT_EQ(details_of(result).training_epochs, state.epochs);
-    EXPECT_THAT(result.ending.reason, HasSubstr("of 1 candidates"));
+    EXPECT_THAT(result.ending.reason, HasSubstr("of 1 candidate)"));
   }
 }
 

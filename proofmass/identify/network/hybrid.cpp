@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
@@ -94,8 +95,8 @@ std::string describe(const Search& found) {
   for (std::size_t h = 0; h < found.criterion.size(); ++h) {
     tried += fmt::format("{}{}: {:.1f}", h == 0 ? "" : ", ", h, found.criterion[h] - found.criterion.front());
   }
-  return fmt::format("{} hidden units by the Bayesian information criterion (relative to none: {}){}",
-                     found.chosen, tried,
+  return fmt::format("{} by the Bayesian information criterion (relative to none: {}){}",
+                     amount_text(found.chosen, "hidden unit"), tried,
                      found.chosen > 0 ? describe(found.validation, found.best.has_value()) : "");
 }
 

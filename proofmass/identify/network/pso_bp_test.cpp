@@ -105,11 +105,11 @@ TEST(PsoBp, RefinesOneNetworkOnlyOnce) {
   std::swap(exchanged[9], exchanged[10]);
   std::swap(exchanged[12], exchanged[13]);
   method.initial = {one, turned, exchanged};
-  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 1 candidates"));
+  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 1 candidate)"));
   method.initial.pop_back();  // the third particle is then another network
   EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 2 candidates"));
   method.refined = 1;
-  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 1 candidates"));
+  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 1 candidate)"));
 }
 
 TEST(PsoBp, CountsTheEpochsOfTheFitness) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
@@ -109,7 +110,8 @@ void add_coefficients(Identification& result, const NetworkTask& task, Extractio
 // Variable projection perturbs and polishes a network that comes to rest; where it rests in the end, nothing
 // is left to gain.
 Ending ending_of_training(const TrainingState& best, std::size_t candidates) {
-  const std::string effort = fmt::format("{} epochs of the best of {} candidates", best.epochs, candidates);
+  const std::string effort = fmt::format("{} of the best of {}", amount_text(best.epochs, "epoch"),
+                                         amount_text(candidates, "candidate"));
   const Termination& end = best.termination;
   if (end.cause != Cause::stalled || !best.rests_at_minimum) {
     return ending_of(end.cause, fmt::format("{} ({})", end.reason, effort));
@@ -167,9 +169,9 @@ NetworkTask prepare_network(const NetworkOptions& asked, const Dataset& training
   const PerceptronShape shape{network.inputs.size(), network.hidden};
   if (ordered.rows() <= shape.parameters()) {
     throw bad_data({.file = training.source, .row = 0, .column = ""},
-                   fmt::format("{} training rows", ordered.rows()),
-                   fmt::format("at least {}: a {}-{}-1 network has {} weights", shape.parameters() + 1,
-                               shape.inputs, shape.hidden, shape.parameters()),
+                   amount_text(ordered.rows(), "training row"),
+                   fmt::format("at least {}: a {}-{}-1 network has {}", shape.parameters() + 1, shape.inputs,
+                               shape.hidden, amount_text(shape.parameters(), "weight")),
                    {{"hidden", ""}});
   }
   Samples samples = scale_rows(network, ordered);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
@@ -133,8 +134,9 @@ Identification fit(const Eiv& method, const Dataset& training, const IdentifyOpt
   result.findings.push_back(explain_standard_errors(method.uncertainty.scaling, ratio));
   result.findings.push_back({.code = Code::independent_errors_assumed});
   result.history.push_back({"weighted_sum_of_squares", std::move(fit.history)});
-  result.ending = ending_of(fit.termination.cause,
-                            fmt::format("after {} iterations {}", fit.iterations, fit.termination.reason));
+  result.ending =
+      ending_of(fit.termination.cause,
+                fmt::format("after {} {}", amount_text(fit.iterations, "iteration"), fit.termination.reason));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
@@ -33,8 +34,8 @@ Identification fit(const Ols& /*method*/, const Dataset& training, const Identif
   result.ending = {
       .status = EndingStatus::direct,
       .reason = fmt::format("solved directly by normal equations in twice the working precision: {} "
-                            "rows, {} coefficients",
-                            training.rows(), found.identified.size())};
+                            "rows, {}",
+                            training.rows(), amount_text(found.identified.size(), "coefficient"))};
   progress.update("least squares", 1, 1);
   return result;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
@@ -125,9 +126,9 @@ Identification fit(const Tls& method, const Dataset& training, const IdentifyOpt
   add_findings(result.findings, terms, sigmas, method.uncertainty.scaling, ratio);
   result.ending = {
       .status = EndingStatus::direct,
-      .reason = fmt::format("solved directly by QR and SVD: {} rows, {} coefficients, gap of the singular "
+      .reason = fmt::format("solved directly by QR and SVD: {} rows, {}, gap of the singular "
                             "values {:.3g}",
-                            training.rows(), terms.size(), solution.gap)};
+                            training.rows(), amount_text(terms.size(), "coefficient"), solution.gap)};
   progress.update("total least squares", 1, 1);
   return result;
 }

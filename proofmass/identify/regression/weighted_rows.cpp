@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 
 namespace proofmass {
 namespace {
@@ -41,10 +42,11 @@ Error weighted_refusal(const Dataset& data, Identifiability left, std::size_t ro
 void require_spare_row(const Dataset& data, const Identifiability& left, std::size_t rows) {
   if (rows > left.identified.size()) return;
   throw refusal(
-      fmt::format("{}: {} of {} rows have weight beside the others, too few for {} terms; at least one "
+      fmt::format("{}: {} of {} rows {} weight beside the others, too few for {}; at least one "
                   "more than the terms is needed: ask for fewer terms, or look at the rows that have no "
                   "weight",
-                  data.source, rows, data.rows(), left.identified.size()),
+                  data.source, rows, data.rows(), rows == 1 ? "has" : "have",
+                  amount_text(left.identified.size(), "term")),
       {{"terms", ""}});
 }
 

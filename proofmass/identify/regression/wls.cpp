@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
@@ -89,8 +90,8 @@ Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<d
   result.ending = {
       .status = EndingStatus::direct,
       .reason = fmt::format("solved directly by normal equations in twice the working precision: {} weighted "
-                            "rows, {} coefficients",
-                            counted, terms.size())};
+                            "rows, {}",
+                            counted, amount_text(terms.size(), "coefficient"))};
   return result;
 }
 

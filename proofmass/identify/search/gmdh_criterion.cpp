@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/numeric/random.hpp"
@@ -35,16 +36,17 @@ std::vector<Remedy> press() { return {{"gmdh-criterion", "press"}}; }
 
 void require_usable(const Dataset& training, const TermList& terms, std::span<const std::size_t> rows) {
   if (rows.size() <= terms.size()) {
-    throw bad_data({.file = training.source, .row = 0, .column = ""}, fmt::format("{} rows", rows.size()),
+    throw bad_data({.file = training.source, .row = 0, .column = ""}, amount_text(rows.size(), "row"),
                    fmt::format("at least {} in each part that the criterion divides the training rows into{}",
                                terms.size() + 1, kAdvice),
                    press());
   }
   const Identifiability part = analyse_identifiability(training.select(rows), terms);
   if (part.unidentified.empty()) return;
-  throw refusal(fmt::format("a part of {} rows, which the criterion sets apart, cannot identify {}{}",
-                            rows.size(), name(part.unidentified.front().terms.front()), kAdvice),
-                press(), part.unidentified);
+  throw refusal(
+      fmt::format("a part of {}, which the criterion sets apart, cannot identify {}{}",
+                  amount_text(rows.size(), "row"), name(part.unidentified.front().terms.front()), kAdvice),
+      press(), part.unidentified);
 }
 
 }  // namespace

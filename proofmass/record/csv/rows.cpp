@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "proofmass/core/text.hpp"
 #include "proofmass/core/utf8.hpp"
 #include "proofmass/record/csv/fields.hpp"
 #include "proofmass/record/csv/lenient.hpp"
@@ -301,7 +302,7 @@ void RowParser::require_fields(std::vector<std::string_view>& fields, std::strin
   if (spare) fields.resize(slots_.size());
   if (fields.size() == slots_.size()) return;
   throw bad_data({.file = format_.header.file, .row = line_number, .column = {}}, line,
-                 fmt::format("{} fields as in the header, not {}", slots_.size(), written));
+                 fmt::format("{} as in the header, not {}", amount_text(slots_.size(), "field"), written));
 }
 
 void RowParser::take_label(const Slot& slot, std::string_view field, const Place& place) const {

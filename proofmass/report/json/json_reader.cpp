@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/files/text_file.hpp"
 #include "proofmass/report/json/findings_internal.hpp"
 #include "proofmass/report/json/json.hpp"
@@ -61,11 +62,12 @@ std::vector<Coefficient> coefficients_of(const JsonNode& node) {
 
 std::vector<double> covariance_of(const JsonNode& node, std::size_t size) {
   const std::vector<JsonNode> rows = node.items();
-  if (rows.size() != size) node.fail(fmt::format("{} rows, one an identified coefficient", size));
+  if (rows.size() != size)
+    node.fail(fmt::format("{}, one an identified coefficient", amount_text(size, "row")));
   std::vector<double> flat;
   for (const JsonNode& row : rows) {
     const std::vector<double> values = row.numbers();
-    if (values.size() != size) row.fail(fmt::format("{} numbers", size));
+    if (values.size() != size) row.fail(fmt::format("{}", amount_text(size, "number")));
     flat.insert(flat.end(), values.begin(), values.end());
   }
   return flat;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "proofmass/core/text.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
@@ -88,7 +89,7 @@ void write_metrics(TerminalText& out, const Comparison& comparison) {
     add("test", c.test);
   }
   const Unit& unit = comparison.contestants.front().runs.front().identification.output_unit;
-  out.heading(fmt::format("Errors, in {}, {} repeats", unit.symbol, comparison.repeats));
+  out.heading(fmt::format("Errors, in {}, {}", unit.symbol, amount_text(comparison.repeats, "repeat")));
   out.table(table);
 }
 

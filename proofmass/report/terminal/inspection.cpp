@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/core/text.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
 #include "proofmass/report/text/en.hpp"
@@ -67,14 +68,17 @@ void write_models(TerminalText& out, const Inspection& inspection) {
 
 std::string render_inspection(const Inspection& inspection, const TerminalStyle& style) {
   TerminalText out(style);
-  out.heading(fmt::format("{}: {} rows", inspection.source, inspection.rows));
+  out.heading(fmt::format("{}: {}", inspection.source, amount_text(inspection.rows, "row")));
   write_findings(out, inspection.findings, Severity::warning);
   write_columns(out, inspection.columns);
   write_ignored(out, inspection.ignored);
   write_findings(out, inspection.findings, Severity::note);
   if (inspection.repeated_inputs > 0) {
-    out.line(fmt::format("{} rows repeat an earlier row's accelerations, {} of them its output too",
-                         inspection.repeated_inputs, inspection.repeated_rows));
+    out.line(fmt::format("{} an earlier row's accelerations, {} of them its output too",
+                         inspection.repeated_inputs == 1
+                             ? "1 row repeats"
+                             : std::to_string(inspection.repeated_inputs) + " rows repeat",
+                         inspection.repeated_rows));
   }
   write_mounts(out, inspection.mounts);
   write_models(out, inspection);

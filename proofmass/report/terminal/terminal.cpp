@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "proofmass/core/text.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/readable_units.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
@@ -128,8 +129,8 @@ void write_suspects(TerminalText& out, const std::vector<SuspectRow>& suspects, 
 
 void write_hidden_search(TerminalText& out, const std::vector<HiddenTrial>& trials, const Unit& output) {
   if (trials.empty()) return;
-  out.heading(fmt::format("Hidden units: RMSE on rows set aside, {} repeats, in {}",
-                          trials.front().validation_rmse.size(), output.symbol));
+  out.heading(fmt::format("Hidden units: RMSE on rows set aside, {}, in {}",
+                          amount_text(trials.front().validation_rmse.size(), "repeat"), output.symbol));
   TextTable table({"hidden", "weights", "mean", "best", "spread", ""});
   for (const HiddenTrial& trial : trials) {
     table.add({std::to_string(trial.hidden), std::to_string(trial.weights), significant_text(trial.mean, 5),

@@ -26,13 +26,13 @@ std::string_view sentence(Code code) noexcept {
     case Code::record_decoded:
       return "the record is not in UTF-8: it was read as {encoding}";
     case Code::record_preamble_skipped:
-      return "{count:.0f} lines above the header are skipped: {lines}";
+      return "{count:.0f} {count:?line above the header is|lines above the header are} skipped: {lines}";
     case Code::record_header_in_comment:
       return "line {lines}, a comment, is taken for the header";
     case Code::record_units_line:
       return "line {lines} is taken for the units of the columns";
     case Code::record_units_in_cells:
-      return "units are taken from the cells, in {count:.0f} rows";
+      return "units are taken from the cells, in {count:.0f} {count:?row|rows}";
     case Code::record_unit_in_name:
       return "the end of the name {column} is taken for its unit, {unit}";
     case Code::record_units_assumed:
@@ -42,22 +42,27 @@ std::string_view sentence(Code code) noexcept {
     case Code::record_fullwidth:
       return "full-width punctuation and digits are read as ASCII";
     case Code::record_numbers_converted:
-      return "{count:.0f} rows have numbers in full-width digits, with a Unicode minus or blank, or with an "
-             "exponent of Fortran (1.5D+00), which are read as usual: lines {lines}";
+      return "{count:.0f} {count:?row has|rows have} numbers in full-width digits, with a Unicode minus or "
+             "blank, or with an exponent of Fortran (1.5D+00), which are read as usual: {count:?line|lines} "
+             "{lines}";
     case Code::record_times_converted:
       return "times of day or dates in the column t are read as seconds since the first row";
     case Code::record_labels_with_mark:
-      return "{count:.0f} lines that begin with # are rows, because they have a row's numbers: {lines}";
+      return "{count:.0f} {count:?line that begins with # is a row, because it has|lines that begin with # "
+             "are rows, because they have} a row's numbers: {lines}";
     case Code::record_comments_skipped:
-      return "{count:.0f} comment lines among the data are skipped: {lines}";
+      return "{count:.0f} comment {count:?line among the data is|lines among the data are} skipped: {lines}";
     case Code::record_empty_rows_skipped:
-      return "{count:.0f} rows of empty fields are skipped: {lines}";
+      return "{count:.0f} {count:?row of empty fields is|rows of empty fields are} skipped: {lines}";
     case Code::record_headers_skipped:
-      return "{count:.0f} repetitions of the header are skipped: {lines}";
+      return "{count:.0f} {count:?repetition of the header is|repetitions of the header are} skipped: "
+             "{lines}";
     case Code::record_overloads_left_out:
-      return "{count:.0f} rows are left out because a meter marked a value beyond its range: lines {lines}";
+      return "{count:.0f} {count:?row is|rows are} left out because a meter marked a value beyond its range: "
+             "{count:?line|lines} {lines}";
     case Code::record_column_unusable:
-      return "the column {column} is not used: {count:.0f} of {total:.0f} rows have no number there";
+      return "the column {column} is not used: {count:.0f} of {total:.0f} rows {count:?has|have} no number "
+             "there";
     case Code::record_end_mark:
       return "Ctrl-Z at the end of the file is left out";
     case Code::inputs_collinear:
@@ -85,11 +90,11 @@ std::string_view sentence(Code code) noexcept {
       return "all rows are fitted; the errors under leave-one-out are those of each row predicted by the fit "
              "to the others (in one step from the fit to all, with the weights of the rows held)";
     case Code::rows_not_left_out:
-      return "{count:.0f} of {total:.0f} rows cannot be left out: without each of them the others do not "
-             "determine the coefficients";
+      return "{count:.0f} of {total:.0f} rows cannot be left out: without {count:?it|each of them} the "
+             "others do not determine the coefficients";
     case Code::mounts_not_left_out:
-      return "{count:.0f} of {total:.0f} mounts cannot be left out: without each of them the others do not "
-             "determine the coefficients";
+      return "{count:.0f} of {total:.0f} mounts cannot be left out: without {count:?it|each of them} the "
+             "others do not determine the coefficients";
     case Code::weights_from_sigma:
       return "weights are 1 / sigma_E² from the record";
     case Code::weights_from_model:
@@ -115,8 +120,9 @@ std::string_view sentence(Code code) noexcept {
       return "the residuals are smaller than sigma_E says (chi²/dof {ratio:.5g}): sigma_E is too large, and "
              "so are standard errors that go by it";
     case Code::rows_without_weight:
-      return "{count:.0f} of {total:.0f} rows have no weight beside the others, because their sigma_E is so "
-             "much larger: they do not count as degrees of freedom";
+      return "{count:.0f} of {total:.0f} rows {count:?has no weight beside the others, because its|have no "
+             "weight beside the others, because their} sigma_E is so much larger: {count:?it does|they do} "
+             "not count as degrees of freedom";
     case Code::weighted_noise_assumed:
       return "standard errors assume exact inputs and independent output noise of the variance given; the "
              "residual standard deviation is over all rows alike";
@@ -143,11 +149,11 @@ std::string_view sentence(Code code) noexcept {
     case Code::bisquare_loss:
       return "Tukey's bisquare loss with c = {tuning:g}";
     case Code::student_loss:
-      return "likelihood of Student's t with {tuning:.4g} degrees of freedom ({origin}) and scale "
-             "{scale:.5g} {unit}";
+      return "likelihood of Student's t with {tuning:.4g} {tuning:?degree|degrees} of freedom ({origin}) and "
+             "scale {scale:.5g} {unit}";
     case Code::outlying_rows:
-      return "{count:.0f} of {total:.0f} rows lie beyond {limit:g} robust scales; the robust scale (median "
-             "absolute residual / 0.6745) is {scale:.5g} {unit}";
+      return "{count:.0f} of {total:.0f} rows {count:?lies|lie} beyond {limit:g} robust scales; the robust "
+             "scale (median absolute residual / 0.6745) is {scale:.5g} {unit}";
     case Code::scale_at_resolution:
       return "the output lies on a grid with a step of {step:.5g} {unit}, and more than half of the "
              "residuals are smaller than its rounding ({rounding:.3g} {unit}, step / sqrt(12)). The robust "
@@ -174,8 +180,8 @@ std::string_view sentence(Code code) noexcept {
              "Their standard errors take the choice as given and leave out its uncertainty: a coefficient "
              "left out is small, not known to be zero";
     case Code::layers_grown:
-      return "a network of quadratic neurons from {inputs:.0f} inputs, the best of layer {layer:.0f}, chosen "
-             "by {criterion} (root mean square {value:.6g} {unit})";
+      return "a network of quadratic neurons from {inputs:.0f} {inputs:?input|inputs}, the best of layer "
+             "{layer:.0f}, chosen by {criterion} (root mean square {value:.6g} {unit})";
     case Code::layers_expanded:
       return "over the training rows the rms error of the network is {network:.4g} {unit}, that of its "
              "expansion into the terms, which predicts, {expansion:.4g} {unit}";
@@ -188,8 +194,8 @@ std::string_view sentence(Code code) noexcept {
       return "the expansion's rms error over the training rows is {ratio:.3g} times that of least squares on "
              "the same terms, and its coefficients are worse accordingly. Use ols, or form combi";
     case Code::pairs_discarded:
-      return "{count:.0f} pairs of inputs gave no neuron, because the rows cannot tell apart its six "
-             "regressors; {total:.0f} pairs gave one";
+      return "{count:.0f} {count:?pair|pairs} of inputs gave no neuron, because the rows cannot tell apart "
+             "its six regressors; {total:.0f} {total:?pair|pairs} gave one";
     case Code::search_short_of_optimum:
       return "the search ends {distance:.2g} standard errors of least squares from its solution in {terms} "
              "(the farthest coefficient), with {ratio:.6g} times its root mean square residual; ols reaches "
@@ -254,8 +260,8 @@ std::string_view sentence(Code code) noexcept {
     case Code::sigma_inputs_unused:
       return english_diagnosis(code);
     case Code::inputs_outside_range:
-      return "{count:.0f} of {total:.0f} rows lie outside the range that the result was identified on "
-             "(first: line {line:.0f}): the prediction is an extrapolation there";
+      return "{count:.0f} of {total:.0f} rows {count:?lies|lie} outside the range that the result was "
+             "identified on (first: line {line:.0f}): the prediction is an extrapolation there";
     case Code::other_plan_named:
       return "the record says that it was simulated from {named}, the truth is {plan}: the distances from "
              "the truth may mean nothing. Give the record's own plan";

@@ -111,15 +111,15 @@ std::string_view english_diagnosis(Code code) noexcept {
              "converter that ran over. The coefficients mean nothing as they are. Read the counts as signed, "
              "widen the counter's range, or put the jumps right before identifying";
     case Code::rows_duplicated:
-      return "{count:.0f} rows repeat an earlier row, inputs and output (line {first:.0f} repeats line "
-             "{original:.0f}): rows pasted twice count twice, and standard errors are too small. Leave the "
-             "repetitions out: lines {lines}";
+      return "{count:.0f} {count:?row repeats|rows repeat} an earlier row, inputs and output (line "
+             "{first:.0f} repeats line {original:.0f}): rows pasted twice count twice, and standard errors "
+             "are too small. Leave the {count:?repetition out: line|repetitions out: lines} {lines}";
     case Code::time_backwards:
       return "t runs backwards in {count:.0f} of {total:.0f} rows: records joined or sorted by something "
-             "else, or a clock that was set. Drift cannot be judged then: lines {lines}";
+             "else, or a clock that was set. Drift cannot be judged then: {count:?line|lines} {lines}";
     case Code::time_standing:
-      return "t stands still in {count:.0f} of {total:.0f} rows: rows pasted twice, or a clock that "
-             "stopped: lines {lines}";
+      return "t stands still in {count:.0f} of {total:.0f} rows: rows pasted twice, or a clock that stopped: "
+             "{count:?line|lines} {lines}";
     case Code::scale_factor_negative:
       return "Ki is negative ({value:.6g} {unit}): the output falls while the acceleration along the input "
              "axis grows. The input axis points the other way, or the leads of the output are swapped";
@@ -130,8 +130,9 @@ std::string_view english_diagnosis(Code code) noexcept {
              "swapped, or the instrument is mounted along another axis than the record says. Name the "
              "columns by --map";
     case Code::few_degrees_of_freedom:
-      return "{rows:.0f} rows leave {dof:.0f} degrees of freedom: standard errors are themselves uncertain "
-             "by about {percent:.0f} %, and a misfit cannot show. Use more rows, or fewer terms";
+      return "{rows:.0f} rows leave {dof:.0f} {dof:?degree|degrees} of freedom: standard errors are "
+             "themselves uncertain by about {percent:.0f} %, and a misfit cannot show. Use more rows, or "
+             "fewer terms";
     case Code::gross_misfit:
       return "the fit explains {r2:.3g} of the outputs' variance (R², warned of below {limit:g}): {reason}";
     case Code::model_too_short:

@@ -48,7 +48,8 @@ std::string reason(const Finding& finding) {
     case Code::term_aliased:
       return aliased(finding);
     case Code::term_beyond_rows:
-      return filled("{rows:.0f} rows cannot determine more than {rows:.0f} terms", finding);
+      return filled("{rows:.0f} {rows:?row|rows} cannot determine more than {rows:.0f} {rows:?term|terms}",
+                    finding);
     case Code::term_hidden_by_rounding:
       return hidden_by_rounding(finding);
     case Code::term_left_out:

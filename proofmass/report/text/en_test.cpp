@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace proofmass {
@@ -116,6 +117,30 @@ TEST(English, PutsFiguresAndTermsInTheirPlaces) {
   EXPECT_THAT(english({.code = Code::rows_without_weight,
                        .figures = {{"count", std::size_t{3}}, {"total", std::size_t{1'000'000}}}}),
               StartsWith("3 of 1000000 rows have no weight"));
+}
+
+// One row has, two rows have: of every count that may be one.
+TEST(English, CountsOneAsOne) {
+  for (const Code code : all_codes()) {
+    if (code == Code::output_clipped) continue;  // never one row
+    Finding one{.code = code, .terms = {Term::Ki, Term::Kiii}, .lines = {7}};
+    for (Figure figure : with_every_figure(code).figures) {
+      if (std::holds_alternative<double>(figure.value)) figure.value = figure.name == "total" ? 9.0 : 1.0;
+      one.figures.push_back(std::move(figure));
+    }
+    const std::string text = english(one);
+    for (const char* const wrong :
+         {"1 rows repeat", "1 rows have", "1 rows are", "1 rows lie", "1 lines", "1 pairs", "1 comment lines",
+          "1 repetitions", "1 degrees", "1 inputs", "lines 7"}) {
+      EXPECT_THAT(text, Not(HasSubstr(wrong))) << to_string(code);
+    }
+  }
+  EXPECT_EQ(english({.code = Code::record_preamble_skipped, .lines = {1}, .figures = {{"count", 1.0}}}),
+            "1 line above the header is skipped: 1");
+  EXPECT_EQ(english({.code = Code::record_preamble_skipped, .lines = {1, 2}, .figures = {{"count", 2.0}}}),
+            "2 lines above the header are skipped: 1, 2");
+  EXPECT_THAT(english({.code = Code::rows_without_weight, .figures = {{"count", 1.0}, {"total", 9.0}}}),
+              StartsWith("1 of 9 rows has no weight beside the others, because its sigma_E"));
 }
 
 TEST(English, GivesSentencesOfOtherVersionsAsTheyAre) {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <variant>
 
 namespace proofmass {
@@ -23,6 +25,12 @@ template <>
 struct fmt::formatter<proofmass::ShownFigure> {
   std::string number_format = "{:";
 
+  // Of "{:?row|rows}" the first words for one, the others for any other number.
+  std::string_view words_for(bool one) const {
+    const std::string_view words = std::string_view(number_format).substr(3, number_format.size() - 4);
+    const std::size_t bar = std::min(words.find('|'), words.size());
+    return one ? words.substr(0, bar) : words.substr(std::min(bar + 1, words.size()));
+  }
   constexpr auto parse(format_parse_context& context) {
     const auto* end = std::find(context.begin(), context.end(), '}');
     number_format.append(context.begin(), end).append("}");
@@ -30,6 +38,8 @@ struct fmt::formatter<proofmass::ShownFigure> {
   }
   auto format(const proofmass::ShownFigure& figure, format_context& context) const {
     const auto* const number = std::get_if<double>(&figure.value);
+    if (number_format.starts_with("{:?"))
+      return format_to(context.out(), "{}", words_for(number != nullptr && *number == 1.0));
     if (number == nullptr) return format_to(context.out(), "{}", std::get<std::string>(figure.value));
     if (std::isnan(*number)) return format_to(context.out(), "not a number");
     if (std::isinf(*number)) return format_to(context.out(), "infinite");

@@ -14,7 +14,8 @@ using Phrase = std::string_view (*)(std::string_view figure, std::string_view wo
 
 // The sentence with each figure in the place of its name in braces, formatted as fmt does, and the names of
 // the finding's terms in place of {terms}, the numbers of its lines in place of {lines}. The format of a
-// number is passed over where the figure is a word. Code and figures alone when the finding, read from a
+// number is passed over where the figure is a word. "{count:?row has|rows have}" is the first words where the
+// count is one, the others elsewhere. Code and figures alone when the finding, read from a
 // file, lacks a figure of the sentence.
 [[nodiscard]] std::string filled(std::string_view sentence, const Finding& finding, Phrase phrase = nullptr);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "proofmass/core/text.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
 
 namespace proofmass {
@@ -19,8 +20,8 @@ std::string describe_inputs(const SimulationPlan& plan) {
                        plan.sphere->maximum);
   }
   if (!plan.mounted) return "specific force: none";
-  return fmt::format("specific force: {} mounts at {} levels", plan.mounted->mounts.size(),
-                     plan.mounted->levels.size());
+  return fmt::format("specific force: {} at {}", amount_text(plan.mounted->mounts.size(), "mount"),
+                     amount_text(plan.mounted->levels.size(), "level"));
 }
 
 std::string describe_unmodelled(const UnmodelledStructure& structure) {
@@ -55,8 +56,9 @@ std::string describe_recorded(const SimulationPlan& plan) {
 
 std::vector<std::string> describe(const SimulationPlan& plan, std::size_t rows, std::uint64_t seed) {
   const std::string name = plan.source.empty() ? "a plan" : plan.source;
-  std::vector<std::string> lines{fmt::format("{}{}: {} rows, seed {}", kOrigin, name, rows, seed),
-                                 describe_inputs(plan), describe_noise(plan.noise), describe_recorded(plan)};
+  std::vector<std::string> lines{
+      fmt::format("{}{}: {}, seed {}", kOrigin, name, amount_text(rows, "row"), seed), describe_inputs(plan),
+      describe_noise(plan.noise), describe_recorded(plan)};
   const UnmodelledStructure& structure = plan.unmodelled;
   if (structure.saturating != 0.0 || structure.fourth_order != 0.0)
     lines.push_back(describe_unmodelled(structure));

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "proofmass/core/text.hpp"
 #include "proofmass/identify/network/training/descent_internal.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 #include "proofmass/numeric/network/variable_projection.hpp"
@@ -155,8 +156,8 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
   if (!state.finished) {
     state.termination = {Cause::iteration_limit, "the epochs allowed are spent"};
   } else if (descent.stopped_early()) {
-    state.termination.reason =
-        fmt::format("validation error did not improve in {} epochs", options_.validation_failures);
+    state.termination.reason = fmt::format("validation error did not improve in {}",
+                                           amount_text(options_.validation_failures, "epoch"));
   } else {
     mention_perturbations(state);
   }
