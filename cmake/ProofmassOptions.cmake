@@ -22,16 +22,17 @@ if(PROOFMASS_SANITIZE)
   target_link_options(proofmass_options INTERFACE -fsanitize=${PROOFMASS_SANITIZE})
 endif()
 
-# proofmass_compile_together(TARGET SOURCE…): where a preset asks for it (CMAKE_UNITY_BUILD), the sources of one folder are
-# compiled as one, so that their headers are read once. Highway compiles a file of kernels once for each instruction
-# set; such a file stays by itself.
+# proofmass_compile_together(TARGET SOURCE…): where a preset asks for it (CMAKE_UNITY_BUILD), the sources of one module are
+# compiled as one, so that their headers are read once and their templates made once. Highway compiles a file of kernels
+# once for each instruction set; such a file stays by itself.
 function(proofmass_compile_together target)
   foreach(source IN LISTS ARGN)
     if(NOT source MATCHES "_kernels?\\.cpp$")
       cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
       cmake_path(GET path PARENT_PATH folder)
       cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
-      string(MAKE_C_IDENTIFIER "${folder}" group)
+      string(REGEX REPLACE "^([^/]*/[^/]*)/.*" "\\1" module "${folder}")
+      string(MAKE_C_IDENTIFIER "${module}" group)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
   endforeach()

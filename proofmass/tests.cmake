@@ -23,14 +23,17 @@ set(record_threads ReadRecord.IsTheSame* ReadRecord.NamesTheFirst*)
 set(assess_threads HiddenSearch.*)
 set(pipeline_threads */Identify.*)
 
-# Sources with helpers of one name in another file of their folder.
+# Sources with helpers of one name in another file of their module.
 set(numeric_alone
   linear/normal_solution_test.cpp network/separable_kernels_test.cpp network/variable_projection_test.cpp
-  optimise/particle_swarm_convergence_test.cpp optimise/particle_swarm_test.cpp regression/robust_regression_test.cpp)
+  optimise/particle_swarm_convergence_test.cpp optimise/particle_swarm_test.cpp
+  regression/growing_variance_test.cpp regression/robust_regression_test.cpp
+  regression/total_least_squares_test.cpp)
 list(TRANSFORM numeric_alone PREPEND numeric/)
 set(identify_alone
-  network/pso_bp_test.cpp network/swarm_fitness_test.cpp network/training/trainer_test.cpp regression/tls_test.cpp
-  regression/wls_test.cpp search/gmdh_test.cpp)
+  network/pso_bp_test.cpp network/swarm_fitness_test.cpp network/training/refinement_test.cpp
+  network/training/trainer_test.cpp regression/tls_test.cpp regression/wls_test.cpp search/afsa_test.cpp
+  search/gmdh_test.cpp)
 list(TRANSFORM identify_alone PREPEND identify/)
 
 foreach(module IN LISTS modules)

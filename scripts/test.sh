@@ -84,7 +84,7 @@ name_sources() {
     }
     { print }'
 }
-# The sources of one folder are checked as one: most of the time would go into their headers. The longest come first.
+# The sources of one module are checked as one: most of the time would go into their headers. The longest come first.
 # Clang does not know every warning that GCC is told to leave out.
 check_tidy() {
   rm -rf build/tidy && configure tidy || return

@@ -24,7 +24,7 @@ constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-5;
 constexpr double kMostDamping = 1e12;
 // A sum of squares that grew by no more than this, relative, only rounded.
-constexpr double kRounding = 1e-13;
+constexpr double kRoundingOfSum = 1e-13;
 // Where a step promises less than this of the sum of squares, rounding of long sums may hide what it gains.
 constexpr double kSmall = 1e-9;
 // The sum of squares stands still when it falls by less than the first fraction of itself in so many
@@ -80,9 +80,9 @@ Matrix inverse_normal(const MatrixXd& triangle) {
 }
 
 // The iteration: step() until it says why to stop.
-class Minimiser {
+class DistanceMinimiser {
  public:
-  Minimiser(OffsetElimination& fitter, const OrthogonalDistanceOptions& options)
+  DistanceMinimiser(OffsetElimination& fitter, const OrthogonalDistanceOptions& options)
       : fitter_(fitter), options_(options) {
     const VectorXd nowhere = VectorXd::Zero(static_cast<Index>(fitter.parameters().size()));
     result_.sum_of_squares = fitter_.attempt(nowhere, 0.0).sum_of_squares;
@@ -156,7 +156,7 @@ class Minimiser {
   // overshoot because the surface bends would wander for ever within what rounding is allowed.
   bool accepts(const OffsetElimination::Trial& trial) {
     if (length_ <= limit_ && trial.sum_of_squares <= limit_ * limit_) return true;
-    if (trial.sum_of_squares <= (1.0 + kRounding) * result_.sum_of_squares) return true;
+    if (trial.sum_of_squares <= (1.0 + kRoundingOfSum) * result_.sum_of_squares) return true;
     const bool small = length_ * length_ <= kSmall * result_.sum_of_squares;
     if (!small || !(trial.sum_of_squares <= (1.0 + kSmall) * result_.sum_of_squares)) return false;
     if (length_ <= limit_) return true;
@@ -235,7 +235,7 @@ OrthogonalDistanceFit fit_orthogonal_distance(const Surface& surface, const Surf
                                               const OrthogonalDistanceObserver& observer) {
   check(surface, observed, start.size());
   OffsetElimination fitter(surface, observed, start);
-  return Minimiser(fitter, options).run(observer);
+  return DistanceMinimiser(fitter, options).run(observer);
 }
 
 OrthogonalDistanceFit fit_orthogonal_distance_from(const Surface& surface,

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kLeastDistinct = 5;
 constexpr double kOffGrid = 0.02;  // of a step
 constexpr double kRoundingOfGrid = 64.0 * std::numeric_limits<double>::epsilon();
-constexpr std::size_t kLeastRows = 30;
+constexpr std::size_t kLeastSpareRows = 30;
 constexpr int kSpread = 8;  // points that stand for an even spread
 // Of |r| over sigma for normal residuals: the median, and the 60 % quantile.
 constexpr double kNormalMedian = 0.6744897501960817;
@@ -78,7 +78,7 @@ double grouped_median_scale(std::span<const double> residuals, std::size_t fitte
 ScaleCheck check_scale(std::span<const double> residuals, std::size_t fitted, double scale,
                        double resolution) {
   ScaleCheck check;
-  if (residuals.size() < fitted + kLeastRows || !(scale > 0.0)) return check;
+  if (residuals.size() < fitted + kLeastSpareRows || !(scale > 0.0)) return check;
   const std::vector<double> rows(residuals.begin(), residuals.end());
   const double shortest = std::max(shortest_half(rows, fitted), scale * std::numeric_limits<double>::min());
   check.over_shortest_half = scale / (shortest + resolution);

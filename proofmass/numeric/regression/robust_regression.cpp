@@ -33,7 +33,7 @@ constexpr double kRoundingOfFit = 64.0 * std::numeric_limits<double>::epsilon();
 // The regression in an orthonormal basis of the columns, relative to its least-squares fit: residuals of that
 // fit minus basis * shift. Weighted normal equations are safe here, because only the weights affect their
 // condition.
-struct Problem {
+struct RobustProblem {
   MatrixXd basis;
   VectorXd remainder;  // residuals of the least-squares fit
   std::vector<double> vif;
@@ -55,7 +55,7 @@ double scale_floor(const Matrix& design, const std::vector<double>& coefficients
   return std::max({rounding, kRoundingOfFit * products, resolution / std::sqrt(12.0)});
 }
 
-Problem make_problem(const Matrix& design, std::span<const double> y) {
+RobustProblem make_robust_problem(const Matrix& design, std::span<const double> y) {
   LeastSquaresFit plain = solve_least_squares(design, y);
   const auto rows = static_cast<Index>(design.rows());
   const auto columns = static_cast<Index>(design.columns());
@@ -88,13 +88,13 @@ struct State {
 };
 
 // A scale below the floor says that most residuals are rounding or nothing: then the resolution speaks.
-double held_scale(const Problem& problem, double scale, std::span<const double> residuals) {
+double held_scale(const RobustProblem& problem, double scale, std::span<const double> residuals) {
   if (scale >= problem.floor) return scale;
   const auto fitted = static_cast<std::size_t>(problem.basis.cols());
   return std::max(problem.floor, grouped_median_scale(residuals, fitted, problem.resolution));
 }
 
-double scale_of(const Problem& problem, const State& state) {
+double scale_of(const RobustProblem& problem, const State& state) {
   const auto fitted = static_cast<std::size_t>(problem.basis.cols());
   const std::span<const double> residuals(state.residuals.data(),
                                           static_cast<std::size_t>(state.residuals.size()));
@@ -102,7 +102,7 @@ double scale_of(const Problem& problem, const State& state) {
 }
 
 // One step of reweighted least squares, with prior weights in addition to those of the loss.
-void reweight(const Problem& problem, const RobustLoss& loss, double scale, const VectorXd& prior,
+void reweight(const RobustProblem& problem, const RobustLoss& loss, double scale, const VectorXd& prior,
               State& state) {
   for (Index r = 0; r < state.weights.size(); ++r) {
     state.weights(r) = prior(r) * loss.weight(state.residuals(r) / scale);
@@ -123,7 +123,7 @@ void reweight(const Problem& problem, const RobustLoss& loss, double scale, cons
 
 // Mallows weights: a row with more than twice the mean leverage gets less weight, the less the higher its
 // leverage.
-VectorXd leverage_weights(const Problem& problem) {
+VectorXd leverage_weights(const RobustProblem& problem) {
   VectorXd prior(problem.basis.rows());
   const double mean = static_cast<double>(problem.basis.cols()) / static_cast<double>(problem.basis.rows());
   for (Index r = 0; r < prior.size(); ++r) {
@@ -137,7 +137,7 @@ using KeepGoing = std::function<bool()>;
 
 bool asked_to_stop(const KeepGoing& keep_going) { return keep_going && !keep_going(); }
 
-State robust_start(const Problem& problem, const KeepGoing& keep_going) {
+State robust_start(const RobustProblem& problem, const KeepGoing& keep_going) {
   State state{.shift = VectorXd::Zero(problem.basis.cols()),
               .residuals = problem.remainder,
               .weights = VectorXd::Ones(problem.basis.rows())};
@@ -151,7 +151,7 @@ State robust_start(const Problem& problem, const KeepGoing& keep_going) {
 }
 
 // The loss for these residuals, and the scale that divides them.
-std::pair<RobustLoss, double> tuned_loss(const Problem& problem, const State& state,
+std::pair<RobustLoss, double> tuned_loss(const RobustProblem& problem, const State& state,
                                          const RobustOptions& options) {
   const double scale = scale_of(problem, state);
   RobustLoss loss{.kind = options.loss, .tuning = options.tuning.value_or(default_tuning(options.loss))};
@@ -166,7 +166,7 @@ std::pair<RobustLoss, double> tuned_loss(const Problem& problem, const State& st
   return {loss, std::max(student.scale, problem.floor)};
 }
 
-void iterate(const Problem& problem, const RobustOptions& options, double scale, const RobustLoss& loss,
+void iterate(const RobustProblem& problem, const RobustOptions& options, double scale, const RobustLoss& loss,
              State& state, Termination& termination, const KeepGoing& keep_going) {
   const VectorXd prior = VectorXd::Ones(problem.basis.rows());
   const double enough = std::max(options.tolerance * scale, problem.rounding);
@@ -212,7 +212,7 @@ double mean_slope(const RobustFit& fit) {
 }
 
 // Repeats the last step on the design itself, to the accuracy of solve_least_squares.
-void finish(const Matrix& design, std::span<const double> y, const Problem& problem, RobustFit& fit) {
+void finish(const Matrix& design, std::span<const double> y, const RobustProblem& problem, RobustFit& fit) {
   WeightedFit last = solve_weighted_least_squares(design, y, fit.weights);
   fit.coefficients = std::move(last.coefficients);
   fit.residuals = std::move(last.residuals);
@@ -236,7 +236,7 @@ RobustFit fit_robustly(const Matrix& design, std::span<const double> y, const Ro
   if (design.rows() <= design.columns()) {
     throw std::invalid_argument("a robust fit needs more rows than columns");
   }
-  const Problem problem = make_problem(design, y);
+  const RobustProblem problem = make_robust_problem(design, y);
   State state = robust_start(problem, keep_going);
   RobustFit fit;
   for (int round = 0; round < kRounds && !state.rank_lost; ++round) {

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kRefinements = 3;
+constexpr int kCorrections = 3;
 
 void check(const Matrix& design, std::span<const double> y, std::span<const double> column_sigma,
            double y_sigma) {
@@ -131,7 +131,7 @@ double weight(const ScaledProblem& problem, const VectorXd& x) {
 // residuals from the rows, remove the rounding errors of the factors.
 void refine(const ScaledProblem& problem, const ShiftedNormal& normal, VectorXd& x) {
   const Index uncertain = x.size() - problem.exact;
-  for (int k = 0; k < kRefinements; ++k) {
+  for (int k = 0; k < kCorrections; ++k) {
     const VectorXd residual = problem.y - problem.columns * x;
     const double square = residual.squaredNorm() / weight(problem, x);
     VectorXd defect = problem.columns.transpose() * residual;

@@ -15,7 +15,7 @@
 namespace proofmass {
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames{"UTF-8", "UTF-16LE", "UTF-16BE", "GB18030", "Windows-1252"};
+constexpr std::array<std::string_view, 5> kLabels{"UTF-8", "UTF-16LE", "UTF-16BE", "GB18030", "Windows-1252"};
 
 // Other names, in lower case and without hyphens and underscores.
 constexpr std::array kAliases{
@@ -37,7 +37,7 @@ constexpr std::array kAliases{
 };
 
 const char* converter_name(Encoding encoding) noexcept {
-  return encoding == Encoding::windows1252 ? "CP1252" : kNames[static_cast<std::size_t>(encoding)].data();
+  return encoding == Encoding::windows1252 ? "CP1252" : kLabels[static_cast<std::size_t>(encoding)].data();
 }
 
 unsigned byte_at(std::string_view text, std::size_t k) noexcept {
@@ -55,7 +55,7 @@ std::pair<std::size_t, std::size_t> zeros(std::string_view bytes) noexcept {
 
 }  // namespace
 
-std::string_view to_string(Encoding encoding) noexcept { return kNames[static_cast<std::size_t>(encoding)]; }
+std::string_view to_string(Encoding encoding) noexcept { return kLabels[static_cast<std::size_t>(encoding)]; }
 
 std::optional<Encoding> find_encoding(std::string_view name) {
   std::string plain;
@@ -71,7 +71,7 @@ std::optional<Encoding> find_encoding(std::string_view name) {
 
 std::string known_encodings() {
   std::string list;
-  for (const std::string_view name : kNames) list.append(list.empty() ? "" : ", ").append(name);
+  for (const std::string_view name : kLabels) list.append(list.empty() ? "" : ", ").append(name);
   return list;
 }
 
