@@ -12,13 +12,18 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
 endif()
 if(PROOFMASS_SANITIZE)
   # A null pointer that is used ends the program under AddressSanitizer too: checking each use takes a tenth of the
-  # compiler's time. Of the instruction sets with vectors of one length, one is enough.
+  # compiler's time. Of the instruction sets with vectors of one length, one is enough; threads share the rows of any
+  # in the same way, and one with vectors is enough for ThreadSanitizer.
   target_compile_options(proofmass_options INTERFACE -fsanitize=${PROOFMASS_SANITIZE}
     -fno-omit-frame-pointer -fno-sanitize-recover=all)
   if(PROOFMASS_SANITIZE MATCHES undefined)
     target_compile_options(proofmass_options INTERFACE -fno-sanitize=null)
   endif()
-  target_compile_definitions(proofmass_options INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+  if(PROOFMASS_SANITIZE MATCHES thread)
+    target_compile_definitions(proofmass_options INTERFACE "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3)")
+  else()
+    target_compile_definitions(proofmass_options INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+  endif()
   target_link_options(proofmass_options INTERFACE -fsanitize=${PROOFMASS_SANITIZE})
 endif()
 
@@ -64,15 +69,40 @@ if(PROOFMASS_BUILD_TESTS)
   add_custom_target(thread_tests)
 endif()
 
+# proofmass_keep_suites(SOURCES FILTER…): leaves in the list SOURCES the files with a suite that one of gtest's filters
+# names.
+function(proofmass_keep_suites sources)
+  set(kept)
+  foreach(filter IN LISTS ARGN)
+    string(REGEX REPLACE "^(\\*/)?([^.]*)\\..*" "\\2" suite "${filter}")
+    set(files)
+    foreach(source IN LISTS ${sources})
+      file(STRINGS ${source} tests REGEX "^[A-Z_]+\\(${suite}, ")
+      if(tests)
+        list(APPEND files ${source})
+      endif()
+    endforeach()
+    if(NOT files)
+      message(FATAL_ERROR "No source has a test suite of the filter ${filter}")
+    endif()
+    list(APPEND kept ${files})
+  endforeach()
+  list(REMOVE_DUPLICATES kept)
+  set(${sources} ${kept} PARENT_SCOPE)
+endfunction()
+
 # proofmass_add_tests(NAME SOURCES FILE… [STATISTICS FILTER…] [THREADS FILTER…] [ALONE FILE…]): a test program with the
 # shared test support. A filter is gtest's and matches names of tests. Each test has one label, by which the presets
 # choose what a sanitizer runs:
 #   NAME.statistics  statistics over many repeats, whose code other tests run too: the optimised build alone runs them
-#   NAME.threads     runs several threads: what ThreadSanitizer runs
+#   NAME.threads     runs several threads: what ThreadSanitizer runs; of the sources, it compiles those that have some
 #   NAME             any other
 # ALONE are sources that are never compiled together with others, for want of names of their own.
 function(proofmass_add_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;STATISTICS;THREADS;ALONE")
+  if(PROOFMASS_SANITIZE STREQUAL thread AND arg_THREADS)
+    proofmass_keep_suites(arg_SOURCES ${arg_THREADS})
+  endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE proofmass proofmass_options proofmass_test_support)
   proofmass_compile_together(${name} ${arg_SOURCES})

@@ -12,13 +12,14 @@ set(study_statistics Reproduce.TheSwarmGains*)
 
 # Several threads: the tests that were seen to start some, on two processors. Of those, ThreadSanitizer leaves out the
 # ones whose parallel code these here run: the kernels by instruction set (GramMatrix runs the same loop), laws of one
-# comparison more (the law of any threads runs every method), and the paper's experiment (the methods' own tests).
+# comparison more (the law of any threads runs every method), the paper's experiment (the methods' own tests), and how
+# far a long run of PSO and back-propagation comes (the same law, and its shorter runs).
 set(numeric_threads
   Parallel.* FishSwarm.* */Swarm.* SwarmMotion.* SubsetSearch.* GramMatrix.*
   NormalSolution.ResidualsAndLeverages* OrthogonalDistance.ThreadsChangeNothing)
 set(identify_threads
-  */Law.SameSeed* */Law.PredictAgrees* Bp.S* PsoBp.* Refine.* Fitness.DependsOnThePositionAlone Afsa.* GmdhCombi.*
-  GmdhMia.* StaticOutputs.* Wls.ManyRows*)
+  */Law.SameSeed* */Law.PredictAgrees* Bp.S* PsoBp.T* PsoBp.C* PsoBp.RefinesOne* PsoBp.E* PsoBp.S* Refine.*
+  Fitness.DependsOnThePositionAlone Afsa.* GmdhCombi.* GmdhMia.* StaticOutputs.* Wls.ManyRows*)
 set(record_threads ReadRecord.IsTheSame* ReadRecord.NamesTheFirst*)
 set(assess_threads HiddenSearch.*)
 set(pipeline_threads */Identify.*)

@@ -113,8 +113,15 @@ Found enumerate(const SubsetCriterion& criterion) {
   return result;
 }
 
+// Enumerating takes ThreadSanitizer long and starts no thread; how threads share a search depends on no seed.
+#ifdef __SANITIZE_THREAD__
+constexpr std::uint64_t kSeeds = 1;
+#else
+constexpr std::uint64_t kSeeds = 20;
+#endif
+
 TEST(SubsetSearch, FindsTheBestOfAllSubsets) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Sample sample = make_sample(40, 10, 3.0, seed);
     const Sample first = rows_between(sample, 0, 20, 0b1111111111);
     const Sample second = rows_between(sample, 20, 40, 0b1111111111);
