@@ -105,6 +105,8 @@ function(proofmass_add_tests name)
   endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE proofmass proofmass_options proofmass_test_support)
+  # What is tested is optimised, not the tests: that would take most of the time to build them.
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-Og>)
   proofmass_compile_together(${name} ${arg_SOURCES})
   proofmass_precompile(${name} <gmock/gmock.h> <gtest/gtest.h>)
   if(arg_ALONE)
