@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,19 +16,25 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kMostMounts = 4096;  // each has a matrix of its own
-
+// Mounts by number; rows without a label are none.
 struct Mounts {
   std::vector<std::size_t> of_row;
   std::size_t count = 0;
+  std::vector<std::size_t> unlabelled;
 };
 
 Mounts mounts_of(const std::vector<std::string>& labels) {
-  const auto members = rows_by_mount(labels);
-  Mounts mounts{.of_row = std::vector<std::size_t>(labels.size()), .count = members.size()};
-  for (std::size_t mount = 0; mount < members.size(); ++mount) {
-    for (const std::size_t row : members[mount]) mounts.of_row[row] = mount;
+  Mounts mounts{.of_row = std::vector<std::size_t>(labels.size()), .count = 0, .unlabelled = {}};
+  for (const std::vector<std::size_t>& members : rows_by_mount(labels)) {
+    if (labels[members.front()].empty()) {
+      mounts.unlabelled = members;
+      continue;
+    }
+    for (const std::size_t row : members) mounts.of_row[row] = mounts.count;
+    ++mounts.count;
   }
+  for (const std::size_t row : mounts.unlabelled)
+    mounts.of_row[row] = mounts.count;  // past the last: not left out
   return mounts;
 }
 
@@ -67,9 +74,10 @@ void add_leave_out_scores(Identification& result, const Dataset& fitted) {
   add_undetermined(result, Code::rows_not_left_out, by_row.undetermined, fitted.rows());
 
   const Mounts mounts = mounts_of(fitted.mount);
-  if (mounts.count < 2 || mounts.count > kMostMounts) return;
-  const DeletionResiduals by_mount =
-      deletion_residuals(rows, residuals, weights, mounts.of_row, mounts.count);
+  if (mounts.count < 2) return;
+  DeletionResiduals by_mount = deletion_residuals(rows, residuals, weights, mounts.of_row, mounts.count);
+  for (const std::size_t row : mounts.unlabelled)
+    by_mount.residuals[row] = std::numeric_limits<double>::quiet_NaN();
   result.leave_one_mount_out = score_deleted(fitted, by_mount.residuals);
   add_undetermined(result, Code::mounts_not_left_out, by_mount.undetermined, mounts.count);
 }

@@ -122,7 +122,7 @@ Identification fit(const Tls& method, const Dataset& training, const IdentifyOpt
                                                .covariance = std::move(solution.unscaled_covariance),
                                                .vif = {}});
   add_residual_figures(result.diagnostics, training, rss, terms.size());
-  result.row_weights = {.values = effective_weights(sigmas, result.static_model(), training), .fixed = false};
+  result.row_weights = {.values = {}, .fixed = false};  // one uncertainty a column: all rows weigh alike
   add_findings(result.findings, terms, sigmas, method.uncertainty.scaling, ratio);
   result.ending = {
       .status = EndingStatus::direct,

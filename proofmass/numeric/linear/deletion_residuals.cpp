@@ -9,11 +9,13 @@
 
 #include "proofmass/numeric/linear/gram_matrix.hpp"
 #include "proofmass/numeric/linear/normal_solution.hpp"
+#include "proofmass/numeric/linear/rank_analysis.hpp"
 
 namespace proofmass {
 namespace {
 
-constexpr double kUndetermined = 1e-9;  // of one: what a row or group leaves to the others
+constexpr std::size_t kGroupsAtOnce = 4096;  // each has a matrix of its own
+constexpr double kUndetermined = 1e-9;       // of one: what a row or group leaves to the others
 
 using Vector = Eigen::VectorXd;
 
@@ -23,6 +25,7 @@ class OrthonormalRows {
   OrthonormalRows(const RegressionRows& rows, Matrix orthogonaliser)
       : rows_(rows), orthogonaliser_(std::move(orthogonaliser)) {}
 
+  [[nodiscard]] std::size_t regressors() const noexcept { return rows_.regressors(); }
   // Calls visit(row, q) for each row in turn.
   template <typename Visit>
   void for_each(Visit&& visit) const {
@@ -77,25 +80,43 @@ DeletionResiduals delete_rows(const RegressionRows& rows, std::span<const double
   return deleted;
 }
 
-DeletionResiduals delete_groups(const OrthonormalRows& rows, std::span<const double> residuals,
-                                std::span<const double> weights, std::span<const std::size_t> group,
-                                std::vector<GroupSums> sums) {
+// Residuals of the rows of the groups from `first`, at most kGroupsAtOnce of them, into `deleted`.
+void delete_some(const OrthonormalRows& rows, std::span<const double> residuals,
+                 std::span<const double> weights, std::span<const std::size_t> group, std::size_t first,
+                 std::vector<GroupSums> sums, DeletionResiduals& deleted) {
+  const auto is_here = [&](std::size_t row) {
+    return group[row] >= first && group[row] < first + sums.size();
+  };
   rows.for_each([&](std::size_t row, const Vector& q) {
+    if (!is_here(row)) return;
     const double w = weights.empty() ? 1.0 : weights[row];
-    GroupSums& own = sums.at(group[row]);
+    GroupSums& own = sums[group[row] - first];
     own.squares.noalias() += w * q * q.transpose();
     own.products += w * residuals[row] * q;
   });
-  DeletionResiduals deleted{.residuals = std::vector<double>(residuals.size())};
   std::vector<bool> determined;
   for (GroupSums& own : sums) {
     determined.push_back(solve(own));
     if (!determined.back()) ++deleted.undetermined;
   }
   rows.for_each([&](std::size_t row, const Vector& q) {
-    deleted.residuals[row] = determined[group[row]] ? residuals[row] + q.dot(sums[group[row]].products)
-                                                    : std::numeric_limits<double>::quiet_NaN();
+    if (!is_here(row)) return;
+    const std::size_t own = group[row] - first;
+    deleted.residuals[row] = determined[own] ? residuals[row] + q.dot(sums[own].products)
+                                             : std::numeric_limits<double>::quiet_NaN();
   });
+}
+
+DeletionResiduals delete_groups(const OrthonormalRows& rows, std::span<const double> residuals,
+                                std::span<const double> weights, std::span<const std::size_t> group,
+                                std::size_t groups) {
+  const auto p = static_cast<Eigen::Index>(rows.regressors());
+  DeletionResiduals deleted{.residuals = std::vector<double>(residuals.size())};
+  for (std::size_t first = 0; first < groups; first += kGroupsAtOnce) {
+    const std::size_t count = std::min(kGroupsAtOnce, groups - first);
+    delete_some(rows, residuals, weights, group, first,
+                std::vector<GroupSums>(count, {Eigen::MatrixXd::Zero(p, p), Vector::Zero(p)}), deleted);
+  }
   return deleted;
 }
 
@@ -112,11 +133,14 @@ DeletionResiduals deletion_residuals(const RegressionRows& rows, std::span<const
   const WeightedRows weighted(rows, weights.empty() ? std::vector<double>(rows.rows(), 1.0)
                                                     : std::vector<double>(weights.begin(), weights.end()));
   const RegressionRows& summed = weights.empty() ? rows : static_cast<const RegressionRows&>(weighted);
-  Matrix orthogonaliser = solve_normal_equations(gram_matrix(summed), summed).orthogonaliser;
+  const GramMatrix gram = gram_matrix(summed);
+  if (analyse_rank(gram).rank < rows.regressors() || rows.rows() < rows.regressors()) {
+    return {.residuals = std::vector<double>(rows.rows(), std::numeric_limits<double>::quiet_NaN()),
+            .undetermined = group.empty() ? rows.rows() : groups};
+  }
+  Matrix orthogonaliser = solve_normal_equations(gram, summed).orthogonaliser;
   if (group.empty()) return delete_rows(summed, residuals, orthogonaliser);
-  const auto p = static_cast<Eigen::Index>(rows.regressors());
-  return delete_groups(OrthonormalRows(rows, std::move(orthogonaliser)), residuals, weights, group,
-                       std::vector<GroupSums>(groups, {Eigen::MatrixXd::Zero(p, p), Vector::Zero(p)}));
+  return delete_groups(OrthonormalRows(rows, std::move(orthogonaliser)), residuals, weights, group, groups);
 }
 
 }  // namespace proofmass

@@ -88,7 +88,8 @@ std::string_view sentence(Code code) noexcept {
              "to the others (exact)";
     case Code::left_out_in_one_step:
       return "all rows are fitted; the errors under leave-one-out are those of each row predicted by the fit "
-             "to the others (in one step from the fit to all, with the weights of the rows held)";
+             "to the others (in one step from the fit to all with the weights of the rows held, which makes "
+             "them a little too small)";
     case Code::rows_not_left_out:
       return "{count:.0f} of {total:.0f} rows cannot be left out: without {count:?it|each of them} the "
              "others do not determine the coefficients";
