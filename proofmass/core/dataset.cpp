@@ -39,9 +39,9 @@ Acceleration Dataset::at(std::size_t row) const noexcept {
 }
 
 std::vector<std::size_t> Dataset::lines_of(std::span<const std::size_t> rows) const {
-  constexpr std::size_t kMost = 10;
   std::vector<std::size_t> lines;
-  for (const std::size_t row : rows.first(std::min(kMost, rows.size()))) lines.push_back(line_of(row));
+  lines.reserve(rows.size());
+  for (const std::size_t row : rows) lines.push_back(line_of(row));
   return lines;
 }
 

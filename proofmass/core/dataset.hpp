@@ -62,7 +62,7 @@ struct Dataset {
   [[nodiscard]] std::size_t line_of(std::size_t row) const noexcept {
     return line.empty() ? row + 1 : line[row];
   }
-  // Those of the first few of these rows, as many as a sentence can list.
+  // Those of these rows.
   [[nodiscard]] std::vector<std::size_t> lines_of(std::span<const std::size_t> rows) const;
   // The rows with these numbers, in this order.
   [[nodiscard]] Dataset select(std::span<const std::size_t> rows) const;

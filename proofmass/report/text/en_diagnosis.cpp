@@ -136,16 +136,17 @@ std::string_view english_diagnosis(Code code) noexcept {
     case Code::gross_misfit:
       return "the fit explains {r2:.3g} of the outputs' variance (R², warned of below {limit:g}): {reason}";
     case Code::model_too_short:
-      return "the residuals follow {count:.0f} terms that the model lacks and that the rows can identify: "
+      return "the residuals follow {count:.0f} {count:?term|terms} that the model lacks and that the rows "
+             "can identify: "
              "{terms} ({errors:.3g} standard errors). With them the residuals' standard deviation would fall "
              "from {before:.3g} to {after:.3g} {unit}; without them what they contribute is in the other "
              "coefficients too. Add them, or use --model full --on-rank-loss drop";
     case Code::rows_far_off:
-      return "{count:.0f} rows lie too far from the fit to be noise (line {line:.0f} by {residual:.3g} "
-             "{unit}; "
-             "the scale of the residuals is {scale:.3g} {unit}), and least squares follows them. Look at "
-             "them, "
-             "and leave them out or use --method robust: lines {lines}";
+      return "{count:.0f} {count:?row lies|rows lie} too far from the fit to be noise (line {line:.0f} by "
+             "{residual:.3g} {unit}; the scale of the residuals is {scale:.3g} {unit}), and least squares "
+             "follows it. Look there, and leave out what is wrong or use --method robust: "
+             "{count:?line|lines} "
+             "{lines}";
     case Code::residuals_follow_time:
       return "the residuals follow t: over the record they change by {change:.3g} {unit}, {errors:.3g} "
              "standard errors (noise {scale:.3g} {unit}). A drift moves the coefficients. Leave the warm-up "

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -61,10 +62,13 @@ std::string plain(const Finding& finding) {
   return text;
 }
 
-// "14, 15, ..." where the finding counts more lines than it lists.
-std::string listed(const std::vector<std::size_t>& lines, const Finding& finding) {
+// "14, 15, ..." where there are more lines than a sentence can list, or than the finding does.
+std::string listed(const std::vector<std::size_t>& all, const Finding& finding) {
+  constexpr std::size_t kMost = 10;
+  const std::span<const std::size_t> lines = std::span(all).first(std::min(kMost, all.size()));
   std::string text;
   for (const std::size_t line : lines) text += fmt::format("{}{}", text.empty() ? "" : ", ", line);
+  if (lines.size() < all.size()) return text + ", ...";
   for (const Figure& figure : finding.figures) {
     const auto* const count = std::get_if<double>(&figure.value);
     if (figure.name == "count" && count != nullptr && *count > static_cast<double>(lines.size()))
