@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -60,7 +61,15 @@ SplitOptions split_of(const Method& method, const IdentifyOptions& options) {
 }
 
 void require_mounts(const Dataset& record, const IdentifyOptions& options) {
-  if (options.split_by == SplitBy::row || !record.mount.empty()) return;
+  if (options.split_by == SplitBy::row) return;
+  const auto unlabelled = std::find(record.mount.begin(), record.mount.end(), std::string());
+  if (unlabelled != record.mount.end()) {
+    const auto row = static_cast<std::size_t>(unlabelled - record.mount.begin());
+    throw bad_data({.file = record.source, .row = record.line_of(row), .column = "mount"}, "",
+                   "the label of a mount in each row, to keep the rows of a mount together",
+                   {{"split-by", "row"}});
+  }
+  if (!record.mount.empty()) return;
   throw bad_data({.file = record.source, .row = 0, .column = "mount"}, "",
                  "a column with the label of the mount in each row, to keep the rows of a mount together",
                  {{"split-by", "row"}});
@@ -95,6 +104,12 @@ void score_parts(Identification& result, const Dataset& training, const Dataset&
   result.test = scores(test);
 }
 
+TermList in_canonical_order(TermList terms) {
+  std::sort(terms.begin(), terms.end());
+  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  return terms;
+}
+
 // Before the method's own findings, and after those of reading: what cannot be what it claims.
 void add_diagnosis(Run& run, const Dataset& record, const Method& method) {
   std::vector<Finding> found = diagnose_record(record);
@@ -108,9 +123,11 @@ void add_diagnosis(Run& run, const Dataset& record, const Method& method) {
 }  // namespace
 
 Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& given, Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
   require_usable(record, asked);
   require_mounts(record, given);
   IdentifyOptions options = given;
+  options.terms = in_canonical_order(std::move(options.terms));
   options.split = training_fraction(asked, given);
   Method method = asked;
   std::vector<HiddenTrial> trials = search_hidden(record, method, options, progress);
@@ -126,6 +143,7 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   if (!trials.empty()) std::get<NetworkDetails>(run.identification.details).hidden_search = std::move(trials);
   add_intervals(run.identification);
   score_parts(run.identification, training, validation, test);
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (training.rows() == record.rows()) add_leave_out_scores(run.identification, training);
   add_diagnosis(run, record, method);
   run.provenance = {.version = std::string(version()),

@@ -120,12 +120,37 @@ RC_GTEST_PROP(SplitMounts, KeepsTheRowsOfAMountTogether, ()) {
   RC_ASSERT(split_mounts(mounts, {.training_fraction = 1.0}, seed).training.size() == rows);
 }
 
+// A mount with most of the rows moves no row of the test part.
+RC_GTEST_PROP(SplitMounts, SeesTheSameTestRowsBesideADominantMount, ()) {
+  const auto rows = *rc::gen::inRange<std::size_t>(30, 300);
+  const auto mounts = *rc::gen::inRange<std::size_t>(3, 12);
+  std::vector<std::string> names;
+  for (std::size_t row = 0; row < rows; ++row)
+    names.push_back("M" + std::to_string(row < rows * 7 / 10 ? 0 : row % mounts));
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const Split split = split_mounts(names, {.validation_fraction = 0.15}, seed);
+  RC_ASSERT(split_mounts(names, {}, seed).test == split.test);
+  RC_ASSERT(!split.training.empty() && !split.validation.empty() && !split.test.empty());
+}
+
 TEST(SplitMounts, ComesNearTheFraction) {
   std::vector<std::string> mounts;
   for (int row = 0; row < 240; ++row) mounts.push_back(std::to_string(row / 10));
   EXPECT_EQ(split_mounts(mounts, {}, 1).training.size(), 170U);
   EXPECT_NE(split_mounts(mounts, {}, 1).test, split_mounts(mounts, {}, 2).test);
   EXPECT_THROW((void)split_mounts(std::vector<std::string>(20, "one"), {}, 1), Error);
+}
+
+TEST(Identify, TakesTermsInAnyOrder) {
+  const Dataset record = test::make_twin({.rows = 60});
+  const auto named = [&record](const TermList& terms) {
+    std::map<Term, double> values;
+    for (const Coefficient& c : identify(record, Ols{}, {.terms = terms}).identification.coefficients)
+      values[c.term] = c.value;
+    return values;
+  };
+  EXPECT_EQ(named({Term::Kiii, Term::Ko, Term::K0, Term::Ki, Term::Kii, Term::Ki}),
+            named({Term::K0, Term::Ki, Term::Kii, Term::Kiii, Term::Ko}));
 }
 
 TEST(SplitRows, RefusesFractionsThatMakeNoSense) {

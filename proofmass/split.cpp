@@ -99,6 +99,33 @@ std::size_t mounts_near(const std::vector<std::vector<std::size_t>>& members,
   return count;
 }
 
+// Moves mounts of the first `used` to the front, taken in order where they bring their rows nearer to `rows`:
+// at least one, the smallest where none does, and not all. Returns how many.
+std::size_t move_validating(const std::vector<std::vector<std::size_t>>& members,
+                            std::vector<std::size_t>& order, std::size_t used, std::size_t rows) {
+  std::size_t count = 0;
+  std::size_t sum = 0;
+  const auto move = [&](std::size_t k) {
+    sum += members[order[k]].size();
+    std::rotate(order.begin() + static_cast<std::ptrdiff_t>(count),
+                order.begin() + static_cast<std::ptrdiff_t>(k),
+                order.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+    ++count;
+  };
+  for (std::size_t k = 0; k < used && count + 1 < used; ++k) {
+    const std::size_t next = sum + members[order[k]].size();
+    if (next <= rows || next - rows < rows - std::min(rows, sum)) move(k);
+  }
+  if (count > 0) return count;
+  const auto smaller = [&members](std::size_t a, std::size_t b) {
+    return members[a].size() < members[b].size();
+  };
+  move(static_cast<std::size_t>(
+      std::min_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(used), smaller) -
+      order.begin()));
+  return count;
+}
+
 std::vector<std::size_t> rows_of(const std::vector<std::vector<std::size_t>>& members,
                                  const std::vector<std::size_t>& order, std::size_t first, std::size_t last) {
   std::vector<std::size_t> rows;
@@ -126,11 +153,13 @@ Split split_mounts(std::span<const std::string> mounts, const SplitOptions& opti
                     members.size(), parts));
   }
   RandomStream random(seed, stream_id("split mounts"));
-  const std::vector<std::size_t> order = random_permutation(members.size(), random);
-  const std::size_t most = members.size() - set_aside;
-  const std::size_t validating = validation > 0 ? mounts_near(members, order, validation, 1, most - 1) : 0;
-  const std::size_t used =
-      set_aside > 0 ? mounts_near(members, order, training, validating + 1, most) : members.size();
+  std::vector<std::size_t> order = random_permutation(members.size(), random);
+  // Whatever validates: every method sees the same test rows.
+  const std::size_t least = members.size() > 2 ? 2 : 1;
+  const std::size_t used = set_aside > 0
+                               ? mounts_near(members, order, training, least, members.size() - set_aside)
+                               : members.size();
+  const std::size_t validating = validation > 0 ? move_validating(members, order, used, validation) : 0;
   return {.training = rows_of(members, order, validating, used),
           .validation = rows_of(members, order, 0, validating),
           .test = rows_of(members, order, used, members.size())};

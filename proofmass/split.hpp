@@ -25,8 +25,8 @@ struct SplitOptions {
 [[nodiscard]] Split split_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed);
 
 // The same with whole mounts, `mounts` being the label of each row: as many mounts, drawn at random, as come
-// nearest to the fractions, at least one for each part that is asked for. Throws a usage Error also where
-// there are fewer mounts than parts.
+// nearest to the fractions, at least one for each part that is asked for. The test part depends on mounts,
+// training fraction and seed alone. Throws a usage Error also where there are fewer mounts than parts.
 [[nodiscard]] Split split_mounts(std::span<const std::string> mounts, const SplitOptions& options,
                                  std::uint64_t seed);
 

@@ -31,6 +31,7 @@ struct Run {
   Split split;  // empty parts when the run was read from a result file, which does not keep them
   Identification identification;
   Provenance provenance;
+  double seconds = 0.0;  // that splitting, fitting and scoring took; zero when read from a result file
 };
 
 }  // namespace proofmass

@@ -122,12 +122,11 @@ Identification make_identification(std::string_view method, const Dataset& train
     const auto [low, high] = std::minmax_element(training.along(axis).begin(), training.along(axis).end());
     result.input_range.push_back({axis, {.low = *low, .high = *high}});
   }
-  std::size_t next = 0;
   for (const Term term : options.terms) {
-    const bool identified = next < found.identified.size() && found.identified[next] == term;
-    result.coefficients.push_back(identified ? fitted_coefficient(term, next, fit)
-                                             : unidentified_coefficient(term, found));
-    if (identified) ++next;
+    const auto at = std::find(found.identified.begin(), found.identified.end(), term);
+    const auto place = static_cast<std::size_t>(at - found.identified.begin());
+    result.coefficients.push_back(at != found.identified.end() ? fitted_coefficient(term, place, fit)
+                                                               : unidentified_coefficient(term, found));
   }
   // Symmetric, so that column-major and row-major agree.
   result.covariance.assign(fit.covariance.data(),

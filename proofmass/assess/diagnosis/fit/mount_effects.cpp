@@ -72,6 +72,7 @@ Effect effect_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts,
 
 Mounts mounts_to_judge(const Dataset& record) {
   Mounts mounts = rows_by_mount(record.mount);
+  std::erase_if(mounts, [&record](const auto& members) { return record.mount[members.front()].empty(); });
   if (mounts.size() < 2) return {};
   std::erase_if(mounts, [](const auto& members) { return members.size() < kLeastMountRows; });
   return mounts;
