@@ -20,7 +20,7 @@ constexpr double kLeastLeft = 0.01;     // of an effect's square: less lies with
 constexpr double kWorthATest = 3.0;     // standard errors, roughly
 constexpr double kPlain = 4.0;          // standard errors, of a mount that is counted
 constexpr double kMostJointWork = 1e9;  // operations
-using Mounts = std::vector<std::vector<std::size_t>>;
+using MountRows = std::vector<std::vector<std::size_t>>;
 
 // What the outputs of a mount have too much of: one (an offset) or Ai (a scale factor), by row.
 struct Kind {
@@ -37,7 +37,7 @@ struct Effect {
 
 // The slope of a mount's residuals along the shape, against the noise of all rows and, lest a mount with more
 // of it than others looks like an effect, against that of the mount's own rows.
-Effect effect_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts, std::size_t mount) {
+Effect effect_of(const FittedRows& rows, const Kind& kind, const MountRows& mounts, std::size_t mount) {
   const std::vector<std::size_t>& members = mounts[mount];
   double before = 0.0;
   double along = 0.0;
@@ -70,15 +70,15 @@ Effect effect_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts,
   return effect;
 }
 
-Mounts mounts_to_judge(const Dataset& record) {
-  Mounts mounts = rows_by_mount(record.mount);
+MountRows mounts_to_judge(const Dataset& record) {
+  MountRows mounts = rows_by_mount(record.mount);
   std::erase_if(mounts, [&record](const auto& members) { return record.mount[members.front()].empty(); });
   if (mounts.size() < 2) return {};
   std::erase_if(mounts, [](const auto& members) { return members.size() < kLeastMountRows; });
   return mounts;
 }
 
-Matrix columns_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts) {
+Matrix columns_of(const FittedRows& rows, const Kind& kind, const MountRows& mounts) {
   const auto count = static_cast<double>(mounts.size());
   const auto columns = count + static_cast<double>(rows.basis().columns());
   if (count * columns * static_cast<double>(rows.rows()) > kMostJointWork) return {};
@@ -91,7 +91,7 @@ Matrix columns_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts
   return columns_beyond(rows, shapes, kLeastLeft).orthonormal;
 }
 
-Finding finding_of(const FittedRows& rows, const Kind& kind, const Mounts& mounts,
+Finding finding_of(const FittedRows& rows, const Kind& kind, const MountRows& mounts,
                    const std::vector<Effect>& effects, const Effect& strongest) {
   const Dataset& record = rows.record();
   const auto count = std::count_if(effects.begin(), effects.end(),
@@ -107,7 +107,7 @@ Finding finding_of(const FittedRows& rows, const Kind& kind, const Mounts& mount
                       {"errors", std::abs(strongest.errors)}}};
 }
 
-std::optional<MountEffect> effect_of_kind(const FittedRows& rows, const Kind& kind, const Mounts& mounts) {
+std::optional<MountEffect> effect_of_kind(const FittedRows& rows, const Kind& kind, const MountRows& mounts) {
   std::vector<Effect> effects;
   for (std::size_t mount = 0; mount < mounts.size(); ++mount)
     effects.push_back(effect_of(rows, kind, mounts, mount));
@@ -129,7 +129,7 @@ std::optional<MountEffect> effect_of_kind(const FittedRows& rows, const Kind& ki
 }  // namespace
 
 std::optional<MountEffect> find_mount_effect(const FittedRows& rows) {
-  const Mounts mounts = mounts_to_judge(rows.record());
+  const MountRows mounts = mounts_to_judge(rows.record());
   if (mounts.empty()) return std::nullopt;
   auto offset =
       effect_of_kind(rows, {Code::residuals_follow_mount, std::vector<double>(rows.rows(), 1.0)}, mounts);

@@ -19,7 +19,7 @@ constexpr double kUnlikelyTrend = 2e-5;  // of each of at most eighteen trends o
 constexpr double kLeastTrendLeft =
     1e-4;  // of a trend's square: less lies within the terms, and is not judged
 
-using Columns = std::vector<std::vector<double>>;
+using RowColumns = std::vector<std::vector<double>>;
 
 // What trends are sought along: a value a row, and the codes of an output and a scale factor that follow it.
 struct Followed {
@@ -31,15 +31,15 @@ struct Followed {
 struct Trend {
   Code code = Code::verbatim;
   Departure departure;
-  double change = 0.0;  // over the record: of the output, or of the scale factor, in canonical units
-  Columns polynomials;  // that it is one of
+  double change = 0.0;     // over the record: of the output, or of the scale factor, in canonical units
+  RowColumns polynomials;  // that it is one of
 };
 
 // Legendre polynomials of degree 1 to 3 of the values, mapped to [-1, 1]; none of values that are all alike.
-Columns polynomials_of(const std::vector<double>& values) {
+RowColumns polynomials_of(const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   if (!(*high > *low)) return {};
-  Columns polynomials(3, std::vector<double>(values.size()));
+  RowColumns polynomials(3, std::vector<double>(values.size()));
   for (std::size_t row = 0; row < values.size(); ++row) {
     const double x = 2.0 * (values[row] - *low) / (*high - *low) - 1.0;
     polynomials[0][row] = x;
@@ -65,10 +65,10 @@ bool is_stronger(const Trend& a, const Trend& b) {
 }
 
 // The most significant trend of the output, or of the scale factor where `factor` has Ai, one a row.
-Trend strongest_trend(const FittedRows& rows, const Columns& polynomials, const std::vector<double>& factor,
-                      Code code) {
+Trend strongest_trend(const FittedRows& rows, const RowColumns& polynomials,
+                      const std::vector<double>& factor, Code code) {
   Trend strongest;
-  Columns columns = polynomials;
+  RowColumns columns = polynomials;
   for (std::size_t degree = 0; degree < columns.size(); ++degree) {
     const auto [least, greatest] = std::minmax_element(columns[degree].begin(), columns[degree].end());
     const double range = *greatest - *least;
@@ -112,7 +112,7 @@ std::optional<ResidualTrend> find_residual_trend(const FittedRows& rows) {
   Trend trend;
   bool of_output = true;
   for (const Followed& quantity : quantities_of(rows.record())) {
-    const Columns polynomials = polynomials_of(quantity.values);
+    const RowColumns polynomials = polynomials_of(quantity.values);
     const auto consider = [&](const std::vector<double>& factor, Code code, bool output) {
       Trend found = strongest_trend(rows, polynomials, factor, code);
       if (!is_stronger(found, trend)) return;

@@ -54,7 +54,7 @@ std::vector<std::size_t> rows_beyond(const Dataset& record, const PlainResponse&
   return curved ? std::vector<std::size_t>() : rows;
 }
 
-struct Run {
+struct RowRun {
   std::size_t first = 0;
   std::size_t last = 0;  // not included
   [[nodiscard]] std::size_t size() const { return last - first; }
@@ -65,19 +65,19 @@ struct Run {
   }
 };
 
-bool is_stuck(const Dataset& record, const PlainResponse& plain, const Run& run) {
+bool is_stuck(const Dataset& record, const PlainResponse& plain, const RowRun& run) {
   const std::vector<std::size_t> rows = run.rows();
   const double asked = spread_over(plain.expected, rows);
   return asked > plain.telling() && spread_over(record.output, rows) < kUnmoved * asked;
 }
 
 // Joined from stretches of so many rows, in each of which the output is stuck.
-Run longest_stuck(const Dataset& record, const PlainResponse& plain, std::size_t stretch) {
-  Run longest;
-  Run run;
+RowRun longest_stuck(const Dataset& record, const PlainResponse& plain, std::size_t stretch) {
+  RowRun longest;
+  RowRun run;
   for (std::size_t first = 0; first + stretch <= record.rows(); ++first) {
     if (!is_stuck(record, plain, {first, first + stretch})) continue;
-    run = first < run.last ? Run{run.first, first + stretch} : Run{first, first + stretch};
+    run = first < run.last ? RowRun{run.first, first + stretch} : RowRun{first, first + stretch};
     if (run.size() > longest.size()) longest = run;
   }
   return longest;
@@ -107,7 +107,7 @@ std::optional<Finding> find_saturation(const Dataset& record, const PlainRespons
 
 std::optional<Finding> find_stuck(const Dataset& record, const PlainResponse& plain) {
   const std::size_t stretch = record.rows() < kFewRows ? kStuckRows - 1 : kStuckRows;
-  const Run longest = longest_stuck(record, plain, stretch);
+  const RowRun longest = longest_stuck(record, plain, stretch);
   if (longest.size() == 0) return std::nullopt;
   const std::vector<std::size_t> rows = longest.rows();
   const Unit& unit = record.output_unit;

@@ -14,10 +14,10 @@ namespace {
 constexpr double kLargeChange = 0.05;  // of the range of the outputs
 constexpr double kTellingScales = 20.0;
 constexpr double kManySteps = 4.0;
-constexpr double kEdge = 0.2;          // of the range of the outputs: the rows within may be clipped
-constexpr double kEnoughSpread = 0.3;  // of the range of Ai: rows within less of it say little of Ki
-constexpr double kTrimmed = 4.0;       // scales, beyond which a row does not count for the fit
-constexpr int kTrims = 4;
+constexpr double kEdge = 0.2;           // of the range of the outputs: the rows within may be clipped
+constexpr double kEnoughSpread = 0.3;   // of the range of Ai: rows within less of it say little of Ki
+constexpr double kTrimmedScales = 4.0;  // scales, beyond which a row does not count for the fit
+constexpr int kMostTrims = 4;
 constexpr std::size_t kLeastPlainRows = 6;
 constexpr std::size_t kOften = 4;  // rows with exactly one output
 constexpr double kFollows = 0.02;  // of the range of the outputs
@@ -60,10 +60,10 @@ Dataset central_rows(const Dataset& record, const std::vector<std::size_t>& rows
 // Fits again without the rows that lie far off, until none does.
 LinearFit trimmed_fit(Dataset rows) {
   LinearFit fit = fit_linear(rows);
-  for (int trim = 0; trim < kTrims; ++trim) {
+  for (int trim = 0; trim < kMostTrims; ++trim) {
     std::vector<std::size_t> near;
     for (std::size_t row = 0; row < rows.rows(); ++row) {
-      if (std::abs(fit.residuals[row]) <= kTrimmed * fit.scale) near.push_back(row);
+      if (std::abs(fit.residuals[row]) <= kTrimmedScales * fit.scale) near.push_back(row);
     }
     if (near.size() == rows.rows() || near.size() < kLeastPlainRows) break;
     rows = rows.select(near);
@@ -117,7 +117,7 @@ std::optional<PlainResponse> plain_response(const Dataset& record) {
   plain.expected.reserve(record.rows());
   for (std::size_t row = 0; row < record.rows(); ++row)
     plain.expected.push_back(fit.model.output(record.at(row)));
-  const double near = std::max(kFollows * plain.range, kTrimmed * plain.scale);
+  const double near = std::max(kFollows * plain.range, kTrimmedScales * plain.scale);
   const auto follow = std::count_if(rows.begin(), rows.end(), [&](std::size_t row) {
     return std::abs(record.output[row] - plain.expected[row]) <= near;
   });
