@@ -47,7 +47,7 @@ TEST_P(BadRecords, AreNamedExactly) {
 
 const std::string kUnitsOfAcceleration = "g, mg, ug, m/s^2, mm/s^2, cm/s^2, Gal, mGal, ft/s^2";
 const std::string kNeedsHeader = "expected a header line that names the columns Ai Ao Ap E";
-const std::string kSeparators = "; columns are separated by comma, semicolon, tab or blanks";
+const std::string kSeparators = "; columns are separated by comma, semicolon, tab, | or blanks";
 
 INSTANTIATE_TEST_SUITE_P(
     Columns, BadRecords,

@@ -77,6 +77,8 @@ TEST(ReadRecord, SeparatorsLineEndsQuotesAndMarksDoNotMatter) {
       "Ai,Ao,E\n1,2,3\n-4,5,6\n",
       "Ai;Ao;E\n1;2;3\n-4;5;6",
       "Ai\tAo\tE\n1\t2\t3\n-4\t5\t6\n",
+      "Ai | Ao | E\n1 | 2 | 3\n-4 | 5 | 6\n",
+      "Ai;Ao;E\n=\"1\";2;3\n-4;5;=\"6\"\n",
       "Ai,\tAo,\tE\n1,\t2,\t3\n-4,\t5,\t6\n",
       "\xEF\xBB\xBF\"Ai\",\"Ao [g]\",\"E\"\r\n\"1\",\" +2 \",3\r\n-4,5,6\r\n\r\n\r\n",
       "\n# first\n  # indented\nAi , Ao , E, note\n +1 , 2 ,3 ,\"a, b\"\n-4, 5, 6e0,x\n  \n",

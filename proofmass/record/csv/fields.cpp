@@ -38,8 +38,8 @@ std::optional<char> fullwidth(std::string_view text) noexcept {
 }  // namespace
 
 char detect_separator(std::string_view header) noexcept {
-  constexpr std::array separators{',', ';', '\t'};
-  std::array<std::size_t, 3> counts{};
+  constexpr std::array separators{',', ';', '\t', '|'};
+  std::array<std::size_t, separators.size()> counts{};
   std::size_t blanks = 0;  // between words
   bool quoted = false;
   int depth = 0;

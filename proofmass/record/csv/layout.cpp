@@ -130,8 +130,8 @@ Error missing(const Header& header, Column column, const std::string& wanted, co
                              excerpt(angle->text));
   return bad_data(
       {.file = header.file, .row = header.row, .column = wanted}, names_of(header),
-      fmt::format("a column named {}{}; columns are separated by comma, semicolon, tab or blanks{}", wanted,
-                  renamed, advice),
+      fmt::format("a column named {}{}; columns are separated by comma, semicolon, tab, | or blanks{}",
+                  wanted, renamed, advice),
       angle == nullptr ? renamings(header, column, wanted, options) : std::vector<Remedy>{});
 }
 

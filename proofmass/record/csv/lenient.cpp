@@ -132,6 +132,11 @@ LenientNumber read_lenient(std::string_view field, bool decimal_comma) {
   std::string text = plain_characters(field);
   number.converted = text != field;
   text = trim(text, ',');
+  if (text.size() > 3 && text.starts_with("=\"") &&
+      text.ends_with('"')) {  // how spreadsheets keep text as it is
+    text = text.substr(2, text.size() - 3);
+    number.converted = true;
+  }
   if (is_overload_word(text)) {
     number.overload = true;
     number.fault = NumberFault::not_a_number;

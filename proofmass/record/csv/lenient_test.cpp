@@ -26,6 +26,7 @@ TEST(LenientNumber, ReadsTheFormsOfBenches) {
   expect_number("\u22122.5", -2.5, 1);                 // minus sign
   expect_number("\uFF0D\uFF12\uFF0E\uFF15", -2.5, 1);  // full-width
   expect_number("3.5\u00A0", 3.5, 1);
+  expect_number("=\"2.5\"", 2.5, 1);  // of a spreadsheet
 }
 
 TEST(LenientNumber, SaysWhatItConverted) {
