@@ -122,6 +122,12 @@ Uncertainties find_uncertainties(std::string_view method, const Dataset& data, c
   if (options.output) {
     const double sigma = *options.output * sensitivity(method, data, terms, least_squares);
     require_usable_constant("the uncertainty of the output", *options.output);
+    if (!(sigma > 0.0)) {
+      throw refusal(
+          std::string(method) +
+          " takes the uncertainty of the output in g, and the output does not change with the input: "
+          "its scale factor is zero");
+    }
     found.output.assign(data.rows(), sigma);
     if (!data.output_sigma.empty()) {
       found.findings.push_back({.code = Code::sigma_output_replaced});

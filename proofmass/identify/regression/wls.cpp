@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -129,6 +130,8 @@ Weighted fit_by_model(const TermSums& sums, const TermList& terms, const Wls& op
   result.iterations = fit.iterations;
   result.variance = fit.variance;
   for (double& w : weights) w = 1.0 / (fit.base + fit.slope * w);
+  const bool exact = !std::all_of(weights.begin(), weights.end(), [](double w) { return std::isfinite(w); });
+  if (exact) weights.clear();  // no residuals that tell one row from another
   result.row_weights = {.values = std::move(weights), .fixed = false};
   result.ending = ending_of(std::move(fit.termination));
   result.coefficients = std::move(fit.fit.coefficients);
