@@ -27,7 +27,7 @@ std::string progress_text(const StageProgress& progress, std::size_t width) {
   if (made >= kFractionForForecast * all && made > 0.0)
     time = fmt::format("{} left", clock_text(seconds / made * (all - made)));
   const std::size_t percent = done * 100 / total;
-  const std::string text = fmt::format("{}: {} of {} ({} %), {}", stage, done, total, percent, time);
+  std::string text = fmt::format("{}: {} of {} ({} %), {}", stage, done, total, percent, time);
   if (text.size() <= width) return text;
   return fmt::format("{}: {} %, {}", stage, percent, time).substr(0, width);
 }

@@ -113,6 +113,7 @@ std::vector<Remedy> renamings(const Header& header, Column column, const std::st
   if (!own && !nearest.empty()) names = {nearest};
   if (names.empty() || names.size() > most) names = {"NAME"};
   std::vector<Remedy> remedies;
+  remedies.reserve(names.size());
   for (const std::string& name : names)
     remedies.push_back({"map", fmt::format("{}={}", column_name(column), name)});
   return remedies;
