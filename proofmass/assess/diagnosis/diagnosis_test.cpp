@@ -387,6 +387,9 @@ TEST(DiagnosisOfShortRecords, SeesWhatIsFarAboveTheNoise) {
               Codes{Code::residuals_follow_mount})
         << seed;
     EXPECT_EQ(of_tumble([](Dataset& r) { r.output[5] += 1e-2; }, seed), Codes{Code::rows_far_off}) << seed;
+    EXPECT_EQ(of_tumble([](Dataset& r) { r.output[5] += 1e-2, r.output[6] += 1e-2; }, seed),
+              Codes{Code::rows_far_off})
+        << seed;
     EXPECT_EQ(of_tumble(
                   [](Dataset& r) {
                     for (std::size_t row = 0; row < 24; ++row)
@@ -397,6 +400,30 @@ TEST(DiagnosisOfShortRecords, SeesWhatIsFarAboveTheNoise) {
               Codes{Code::model_too_short})
         << seed;
   }
+}
+
+// Uncertainties of the inputs that come from options are no part of the record.
+TEST(DiagnosisOfSigmas, DoesNotJudgeByHalfOfThem) {
+  Dataset record = clean_record();
+  RandomStream random(3, stream_id("noisy inputs"));
+  for (std::vector<double>& axis : record.acceleration) {
+    for (double& a : axis) a += kNoise * random.normal();
+  }
+  const Method eiv = Eiv{.uncertainty = {.input = kNoise}};
+  EXPECT_EQ(warnings(diagnosed(record, eiv).identification), std::vector<Code>());
+}
+
+// Records that a model explains to the last digit.
+TEST(DiagnosisOfExactRecords, EndsWithoutAFault) {
+  Dataset record;
+  for (int k = 0; k < 10; ++k) {
+    record.acceleration[0].push_back(k);
+    record.acceleration[1].push_back(0.0);
+    record.acceleration[2].push_back(1.0);
+    record.output.push_back(k);
+  }
+  for (const Method& method : {Method(Ols{}), Method(Wls{}), Method(Robust{})})
+    EXPECT_NO_THROW((void)diagnosed(record, method, linear_terms())) << info(method).name;
 }
 
 // Right uncertainties that differ from row to row are right for a method that takes no account of them, too.

@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "proofmass/assess/diagnosis/record/output_resolution.hpp"
 #include "proofmass/assess/diagnosis/record/term_space.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
@@ -75,6 +76,10 @@ std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Ide
   const auto fitted = static_cast<double>(result.diagnostics.dof.value_or(rows.dof()));
   const double n = result.train ? static_cast<double>(result.train->n) : static_cast<double>(rows.rows());
   const double dof = static_cast<double>(rows.rows()) * std::min(1.0, fitted / n);
+  // The median of rounding errors is not that of normal noise.
+  const double step = output_resolution(record).step;
+  if (robust && step > *std::min_element(record.output_sigma.begin(), record.output_sigma.end()))
+    return std::nullopt;
   const double scale = median_scale(scaled, rows.basis().columns());
   const double ratio = robust ? scale * scale : sum_of_squares(scaled) / dof;
   // The cube root of chi² per degree of freedom is nearly normal (Wilson and Hilferty, PNAS 17, 1931).
@@ -99,13 +104,22 @@ std::optional<Finding> find_unused_input_sigma(const FittedRows& rows, const Ide
                  .figures = {{"method", result.method}, {"percent", 100.0 * std::min(1.0, fraction)}}};
 }
 
+bool takes_inputs_for_uncertain(const Identification& result) {
+  return std::any_of(result.findings.begin(), result.findings.end(), [](const Finding& finding) {
+    return finding.code == Code::uncertainties_taken || finding.code == Code::uncertainties_scaled;
+  });
+}
+
 }  // namespace
 
 std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identification& result,
                                        bool inputs_sigma_used) {
   std::vector<Finding> findings;
   const std::vector<double> from_inputs = variance_from_inputs(rows.record(), result.static_model());
-  if (auto found = find_wrong_output_sigma(rows, result, from_inputs)) findings.push_back(std::move(*found));
+  // Where the method has the inputs' uncertainties from its options, the record does not tell the variance.
+  const bool known = !takes_inputs_for_uncertain(result) || !from_inputs.empty();
+  if (auto found = !known ? std::nullopt : find_wrong_output_sigma(rows, result, from_inputs))
+    findings.push_back(std::move(*found));
   if (!inputs_sigma_used) {
     if (auto found = find_unused_input_sigma(rows, result, from_inputs))
       findings.push_back(std::move(*found));

@@ -22,7 +22,7 @@ constexpr double kTrimmed = 3.5;       // robust scales, beyond which a row does
 constexpr double kWorthATrim = 0.01;   // of the rows, beyond that: ten times what normal noise has
 constexpr int kTrims = 6;
 constexpr double kSettled = 0.9;  // of the scale before
-constexpr std::size_t kLeastDofOfScale = 30;
+constexpr double kFewDof = 30.0;
 constexpr double kLeastVariance =
     1e-9;  // of the largest variance: below it a row is fitted whatever its output
 
@@ -32,40 +32,67 @@ struct AlikeResiduals {
   double scale = 0.0;
 };
 
-// The variance of each residual, relative to one another: what the fit leaves of the row's own noise, by the
-// method's weights, or by the record's uncertainties and then with the noise that other rows put into it.
-std::vector<double> variances_of(const FittedRows& rows) {
-  std::vector<double> variance(rows.rows());
-  const std::vector<double>& sigma = rows.record().output_sigma;
-  const bool known = rows.weights().empty() && !sigma.empty();
-  const std::size_t columns = rows.basis().columns();
-  Matrix noise(columns, columns);  // of the coefficients of the basis
-  for (std::size_t row = 0; known && row < rows.rows(); ++row) {
-    for (std::size_t a = 0; a < columns; ++a) {
-      for (std::size_t b = 0; b < columns; ++b)
-        noise(a, b) += rows.basis()(row, a) * rows.basis()(row, b) * sigma[row] * sigma[row];
-    }
-  }
+// What the fit leaves of the variance of each row's noise, and that variance, relative to one another.
+struct RowNoise {
+  std::vector<double> left;
+  std::vector<double> variance;
+};
+
+// By the method's weights, with the leverages of a fit by them.
+RowNoise noise_by_weights(const FittedRows& rows) {
+  Matrix design = rows.basis();
+  const std::vector<double> response(rows.rows(), 0.0);
+  RowNoise noise{.left = std::vector<double>(rows.rows(), 0.0), .variance = {}};
   for (std::size_t row = 0; row < rows.rows(); ++row) {
-    const double leverage = rows.leverages()[row];
-    variance[row] = (1.0 - leverage) / (rows.weights().empty() ? 1.0 : rows.weights()[row]);
-    if (!known) continue;
-    variance[row] = sigma[row] * sigma[row] * (1.0 - 2.0 * leverage);
+    noise.variance.push_back(1.0 / std::max(rows.weights()[row], std::numeric_limits<double>::min()));
+    for (std::size_t c = 0; c < design.columns(); ++c) design(row, c) *= std::sqrt(rows.weights()[row]);
+  }
+  if (design.columns() == 0 || analyse_rank(design).rank < design.columns()) return noise;
+  const std::vector<double> leverage = solve_least_squares(design, response).leverage;
+  for (std::size_t row = 0; row < rows.rows(); ++row)
+    noise.left[row] = (1.0 - leverage[row]) * noise.variance[row];
+  return noise;
+}
+
+// By the record's uncertainties, with the noise that other rows put into a residual.
+RowNoise noise_by_sigma(const FittedRows& rows) {
+  const std::vector<double>& sigma = rows.record().output_sigma;
+  const std::size_t columns = rows.basis().columns();
+  Matrix products(columns, columns);
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
     for (std::size_t a = 0; a < columns; ++a) {
       for (std::size_t b = 0; b < columns; ++b)
-        variance[row] += rows.basis()(row, a) * noise(a, b) * rows.basis()(row, b);
+        products(a, b) += rows.basis()(row, a) * rows.basis()(row, b) * sigma[row] * sigma[row];
     }
   }
-  return variance;
+  RowNoise noise;
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    noise.variance.push_back(sigma[row] * sigma[row]);
+    double left = noise.variance.back() * (1.0 - 2.0 * rows.leverages()[row]);
+    for (std::size_t a = 0; a < columns; ++a) {
+      for (std::size_t b = 0; b < columns; ++b)
+        left += rows.basis()(row, a) * products(a, b) * rows.basis()(row, b);
+    }
+    noise.left.push_back(left);
+  }
+  return noise;
+}
+
+RowNoise noise_of(const FittedRows& rows) {
+  if (!rows.weights().empty()) return noise_by_weights(rows);
+  if (!rows.record().output_sigma.empty()) return noise_by_sigma(rows);
+  RowNoise noise{.left = {}, .variance = std::vector<double>(rows.rows(), 1.0)};
+  for (const double leverage : rows.leverages()) noise.left.push_back(1.0 - leverage);
+  return noise;
 }
 
 // Residuals as if all had one variance.
-AlikeResiduals alike_residuals(const FittedRows& rows, const std::vector<double>& residuals) {
+AlikeResiduals alike_residuals(const FittedRows& rows, const RowNoise& noise,
+                               const std::vector<double>& residuals) {
   AlikeResiduals alike{.values = std::vector<double>(rows.rows(), 0.0)};
-  const std::vector<double> variance = variances_of(rows);
-  const double least = kLeastVariance * *std::max_element(variance.begin(), variance.end());
+  const double least = kLeastVariance * *std::max_element(noise.left.begin(), noise.left.end());
   for (std::size_t row = 0; row < alike.values.size(); ++row) {
-    if (variance[row] > least) alike.values[row] = residuals[row] / std::sqrt(variance[row]);
+    if (noise.left[row] > least) alike.values[row] = residuals[row] / std::sqrt(noise.left[row]);
   }
   alike.scale = median_scale(alike.values, rows.basis().columns());
   return alike;
@@ -83,8 +110,9 @@ std::vector<double> residuals_from_near(const FittedRows& rows, const AlikeResid
   Matrix design(near.size(), columns);
   std::vector<double> response;
   for (const std::size_t row : near) {
-    for (std::size_t c = 0; c < columns; ++c) design(response.size(), c) = rows.basis()(row, c);
-    response.push_back(residuals[row]);
+    const double weight = rows.weights().empty() ? 1.0 : std::sqrt(rows.weights()[row]);
+    for (std::size_t c = 0; c < columns; ++c) design(response.size(), c) = weight * rows.basis()(row, c);
+    response.push_back(weight * residuals[row]);
   }
   if (analyse_rank(design).rank < columns) return residuals;
   const std::vector<double> moved = solve_least_squares(design, response).coefficients;
@@ -96,12 +124,12 @@ std::vector<double> residuals_from_near(const FittedRows& rows, const AlikeResid
 
 // As a fit has them that outlying rows do not move: where some lie off, they spread over the residuals of all
 // others and hide each other.
-AlikeResiduals without_outliers(const FittedRows& rows, AlikeResiduals alike) {
+AlikeResiduals without_outliers(const FittedRows& rows, const RowNoise& noise, AlikeResiduals alike) {
   for (int trim = 0; trim < kTrims; ++trim) {
     const auto off = std::count_if(alike.values.begin(), alike.values.end(),
                                    [&alike](double r) { return std::abs(r) > kTrimmed * alike.scale; });
     if (static_cast<double>(off) < kWorthATrim * static_cast<double>(rows.rows())) break;
-    AlikeResiduals next = alike_residuals(rows, residuals_from_near(rows, alike));
+    AlikeResiduals next = alike_residuals(rows, noise, residuals_from_near(rows, alike));
     const bool settled = next.scale > kSettled * alike.scale;
     alike = std::move(next);
     if (settled) break;
@@ -128,18 +156,20 @@ bool is_far_alone(double alike, double squares, const FittedRows& rows) {
 
 std::optional<Finding> find_far_rows(const FittedRows& rows, const Identification& result) {
   if (std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
-  const AlikeResiduals own = alike_residuals(rows, {rows.residuals().begin(), rows.residuals().end()});
+  const RowNoise noise = noise_of(rows);
+  const AlikeResiduals own = alike_residuals(rows, noise, {rows.residuals().begin(), rows.residuals().end()});
   const std::vector<double>& alike = own.values;
-  const AlikeResiduals robust = without_outliers(rows, own);
+  const AlikeResiduals robust = without_outliers(rows, noise, own);
   double squares = 0.0;
   for (std::size_t row = 0; row < alike.size(); ++row)
-    squares += alike[row] * alike[row] * (1.0 - rows.leverages()[row]);
+    squares += alike[row] * alike[row] * noise.left[row] / noise.variance[row];
+  // The scale of few rows is uncertain, the more so when the farthest of them are left out of it.
+  const double limit = kFarRow * (1.0 + kFewDof / static_cast<double>(rows.dof()));
   std::vector<std::size_t> far;
   std::size_t farthest = 0;
   for (std::size_t row = 0; row < alike.size(); ++row) {
     if (std::abs(alike[row]) > std::abs(alike[farthest])) farthest = row;
-    const bool beyond =
-        rows.dof() >= kLeastDofOfScale && std::abs(robust.values[row]) > kFarRow * robust.scale;
+    const bool beyond = std::abs(robust.values[row]) > limit * robust.scale;
     if (beyond || is_far_alone(alike[row], squares, rows)) far.push_back(row);
   }
   if (far.empty()) return std::nullopt;

@@ -110,12 +110,12 @@ double joint_probability(const FittedRows& rows, const Matrix& columns,
   const FittedRows left = rows.with_columns(columns);
   const double rest = std::max(sum_of_squares(left.residuals()),
                                static_cast<double>(rows.rows()) * std::pow(rows.rounding(), 2));
-  const double explained = sum_of_squares(rows.residuals()) - sum_of_squares(left.residuals());
+  const double explained = std::max(0.0, sum_of_squares(rows.residuals()) - sum_of_squares(left.residuals()));
   const double alike = fisher_probability(explained / count / (rest / dof), count, dof);
   if (alike > kPlausibleTogether) return alike;
   const RowVariance variance = groups.empty() ? variance_by_row(left) : variance_by_group(left, groups);
   const double statistic = wald_statistic(columns, rows.residuals(), variance);
-  return std::max(alike, fisher_probability(statistic / count, count, variance.dof));
+  return std::max(alike, fisher_probability(std::max(0.0, statistic) / count, count, variance.dof));
 }
 
 }  // namespace proofmass

@@ -60,9 +60,10 @@ Effect effect_of(const FittedRows& rows, const Kind& kind, const MountRows& moun
   const std::vector<double> weights = rows.beyond_terms(std::move(shape));
   const Departure departure = rows.departure(weights);
   double squares = 0.0;
-  for (const std::size_t row : members)
-    squares +=
-        std::pow(std::max(std::abs(rows.residuals()[row] - effect.size * weights[row]), rows.rounding()), 2);
+  for (const std::size_t row : members) {
+    const double rest = rows.residuals()[row] - effect.size * weights[row];
+    squares += std::max(rest * rest, rows.rounding() * rows.rounding());
+  }
   const double own_dof = static_cast<double>(members.size()) - 1.0;
   const double own = effect.size * std::sqrt(left / (squares / own_dof));
   effect.errors = departure.errors;

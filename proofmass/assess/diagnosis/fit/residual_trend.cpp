@@ -84,9 +84,10 @@ std::vector<Followed> quantities_of(const Dataset& record) {
   std::vector<Followed> quantities;
   if (!record.time.empty())
     quantities.push_back({record.time, Code::residuals_follow_time, Code::scale_factor_follows_time});
-  if (!record.temperature.empty())
+  if (!record.temperature.empty()) {
     quantities.push_back(
         {record.temperature, Code::residuals_follow_temperature, Code::scale_factor_follows_temperature});
+  }
   if (record.time.empty() || !std::is_sorted(record.time.begin(), record.time.end())) {
     std::vector<double> order(record.rows());
     std::iota(order.begin(), order.end(), 0.0);

@@ -23,6 +23,7 @@ constexpr double kUnlikelyAllSame = 1e-3;
 constexpr double kContinuous = 0.45;  // of the rows: all of them pasted twice leaves half
 constexpr double kUnequalNoise =
     3.0;  // rows with less noise than the median's have the same output more often
+constexpr double kRoundingNoise = 0.6;  // of the step: rounding alone has 0.29
 constexpr double kFineOutput =
     1e-4;  // step over range: repeated rows cannot all have the same output by rounding
 
@@ -80,7 +81,8 @@ bool explained_by_rounding(const Pairs& pairs, const Dataset& record) {
   if (pairs.differences.empty()) {
     if (has_continuous_inputs(record)) return false;
     const bool planned = 2 * pairs.rows >= record.rows();
-    if (planned) return resolution.step >= kFineOutput * resolution.range;
+    if (planned && resolution.step >= kFineOutput * resolution.range) return true;
+    if (planned) return scale_beyond_terms(record) < kRoundingNoise * resolution.step;
   }
   const double sd = pairs.differences.empty() ? std::numbers::sqrt2 * scale_beyond_terms(record)
                                               : median_scale(pairs.differences, 0);

@@ -14,7 +14,8 @@
 namespace proofmass {
 namespace {
 
-constexpr double kAgrees = 0.05;      // of the scale factor with one
+constexpr double kAgrees = 0.05;  // of the scale factor with one
+constexpr double kCloseTolerance = 0.003;
 constexpr double kTolerance = 0.015;  // gravity over the Earth, and a head that is a little off
 
 // What one g reads as, in g, where the values are in `written` but taken for the unit `read`.
@@ -69,13 +70,17 @@ bool output_agrees(const Dataset& record) {
 std::optional<Finding> find_other_input_unit(const Dataset& record) {
   if (record.rows() < 2 || record.axes().empty()) return std::nullopt;
   const bool one_axis = record.axes().size() == 1;
-  if (one_axis && output_agrees(record)) return std::nullopt;
+  const bool agrees = output_agrees(record);
+  if (one_axis && agrees) return std::nullopt;
+  // An output that agrees with the inputs may be in their unit; then they are 1 g more closely than by
+  // chance.
+  const double tolerance = agrees ? kCloseTolerance : kTolerance;
   const auto range = magnitudes(record);
   if (!range) return std::nullopt;
   for (const Mistake& mistake : kMistakes) {
     if (record.acceleration_unit.symbol != mistake.read) continue;
-    if (range->least < (1.0 - kTolerance) * mistake.one_g ||
-        range->greatest > (1.0 + kTolerance) * mistake.one_g)
+    if (range->least < (1.0 - tolerance) * mistake.one_g ||
+        range->greatest > (1.0 + tolerance) * mistake.one_g)
       continue;
     return Finding{.code = Code::inputs_in_other_unit,
                    .severity = Severity::warning,
