@@ -125,7 +125,7 @@ std::optional<Finding> find_stuck(const Dataset& record, const PlainResponse& pl
 }
 
 std::optional<Finding> find_repeated_output(const Dataset& record, const PlainResponse& plain) {
-  const CommonOutput common = most_common_output(record);
+  const CommonOutput& common = plain.common;
   if (common.count < kLeastRepeated) return std::nullopt;
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < record.rows(); ++row) {

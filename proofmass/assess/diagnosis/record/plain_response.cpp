@@ -28,11 +28,24 @@ double width(const std::vector<double>& values) {
   return *greatest - *least;
 }
 
+CommonOutput most_common_output(const Dataset& record) {
+  std::vector<double> outputs;
+  for (const std::size_t row : thinned_rows(record.rows())) outputs.push_back(record.output[row]);
+  std::sort(outputs.begin(), outputs.end());
+  CommonOutput common;
+  for (auto first = outputs.begin(); first != outputs.end();) {
+    const auto last = std::find_if(first, outputs.end(), [first](double e) { return e != *first; });
+    const auto count = static_cast<std::size_t>(last - first);
+    if (count > common.count) common = {.value = *first, .count = count};
+    first = last;
+  }
+  return common;
+}
+
 // The rows whose output is neither the largest nor the smallest, nor that of the row before, nor one that
 // many others have; a sample of them.
-std::vector<std::size_t> rows_above_suspicion(const Dataset& record) {
+std::vector<std::size_t> rows_above_suspicion(const Dataset& record, const CommonOutput& common) {
   const auto [least, greatest] = std::minmax_element(record.output.begin(), record.output.end());
-  const CommonOutput common = most_common_output(record);
   std::vector<std::size_t> rows;
   for (const std::size_t row : thinned_rows(record.rows())) {
     const double e = record.output[row];
@@ -88,23 +101,10 @@ double spread_over(const std::vector<double>& values, std::span<const std::size_
   return greatest - least;
 }
 
-CommonOutput most_common_output(const Dataset& record) {
-  std::vector<double> outputs;
-  for (const std::size_t row : thinned_rows(record.rows())) outputs.push_back(record.output[row]);
-  std::sort(outputs.begin(), outputs.end());
-  CommonOutput common;
-  for (auto first = outputs.begin(); first != outputs.end();) {
-    const auto last = std::find_if(first, outputs.end(), [first](double e) { return e != *first; });
-    const auto count = static_cast<std::size_t>(last - first);
-    if (count > common.count) common = {.value = *first, .count = count};
-    first = last;
-  }
-  return common;
-}
-
 std::optional<PlainResponse> plain_response(const Dataset& record) {
   if (record.rows() < kLeastPlainRows || !record.has(Axis::input)) return std::nullopt;
-  const std::vector<std::size_t> rows = rows_above_suspicion(record);
+  const CommonOutput common = most_common_output(record);
+  const std::vector<std::size_t> rows = rows_above_suspicion(record, common);
   if (rows.size() < kLeastPlainRows) return std::nullopt;
   const LinearFit fit = trimmed_fit(central_rows(record, rows));
   if (fit.scale_factor == 0.0) return std::nullopt;
@@ -113,7 +113,8 @@ std::optional<PlainResponse> plain_response(const Dataset& record) {
                       .scale_factor = std::abs(fit.scale_factor),
                       .scale = fit.scale,
                       .range = resolution.range,
-                      .step = resolution.step};
+                      .step = resolution.step,
+                      .common = common};
   plain.expected.reserve(record.rows());
   for (std::size_t row = 0; row < record.rows(); ++row)
     plain.expected.push_back(fit.model.output(record.at(row)));
