@@ -12,7 +12,6 @@
 
 #include "proofmass/assess/diagnosis/record/output_resolution.hpp"
 #include "proofmass/assess/diagnosis/record/term_space.hpp"
-#include "proofmass/numeric/linear/least_squares.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
 
 namespace proofmass {
@@ -40,23 +39,15 @@ std::vector<double> variance_from_inputs(const Dataset& record, const StaticMode
 // row over rows with less; what a fit by these uncertainties would take up again is taken off.
 std::vector<double> scaled_residuals(const FittedRows& rows, const std::vector<double>& sigma,
                                      std::span<const double> robust_weights) {
-  std::vector<double> scaled(rows.residuals().begin(), rows.residuals().end());
-  for (std::size_t row = 0; row < scaled.size(); ++row) scaled[row] /= sigma[row];
   const auto [least, greatest] = std::minmax_element(sigma.begin(), sigma.end());
-  if (*greatest < kAlike * *least || rows.basis().columns() == 0) return scaled;
-  Matrix design = rows.basis();
-  std::vector<double> response(scaled);
-  for (std::size_t row = 0; row < scaled.size(); ++row) {
-    const double weight = robust_weights.empty() ? 1.0 : std::sqrt(robust_weights[row]);
-    response[row] *= weight;
-    for (std::size_t c = 0; c < design.columns(); ++c) design(row, c) *= weight / sigma[row];
+  std::vector<double> scaled(rows.residuals().begin(), rows.residuals().end());
+  if (*greatest >= kAlike * *least) {
+    std::vector<double> weights(rows.rows());
+    for (std::size_t row = 0; row < weights.size(); ++row)
+      weights[row] = (robust_weights.empty() ? 1.0 : robust_weights[row]) / (sigma[row] * sigma[row]);
+    scaled = rows.residuals_by(weights);
   }
-  if (analyse_rank(design).rank < design.columns()) return scaled;
-  const std::vector<double> taken = solve_least_squares(design, response).coefficients;
-  for (std::size_t row = 0; row < scaled.size(); ++row) {
-    for (std::size_t c = 0; c < taken.size(); ++c)
-      scaled[row] -= rows.basis()(row, c) * taken[c] / sigma[row];
-  }
+  for (std::size_t row = 0; row < scaled.size(); ++row) scaled[row] /= sigma[row];
   return scaled;
 }
 

@@ -100,26 +100,16 @@ AlikeResiduals alike_residuals(const FittedRows& rows, const RowNoise& noise,
 
 // The residuals of all rows from a fit to those that lie near it.
 std::vector<double> residuals_from_near(const FittedRows& rows, const AlikeResiduals& alike) {
-  std::vector<std::size_t> near;
+  std::vector<double> weights(rows.rows(), 0.0);
+  std::size_t near = 0;
   for (std::size_t row = 0; row < rows.rows(); ++row) {
-    if (std::abs(alike.values[row]) <= kTrimmed * alike.scale) near.push_back(row);
+    if (std::abs(alike.values[row]) > kTrimmed * alike.scale) continue;
+    weights[row] = rows.weights().empty() ? 1.0 : rows.weights()[row];
+    ++near;
   }
-  std::vector<double> residuals(rows.residuals().begin(), rows.residuals().end());
-  const std::size_t columns = rows.basis().columns();
-  if (near.size() == rows.rows() || near.size() < 2 * columns || columns == 0) return residuals;
-  Matrix design(near.size(), columns);
-  std::vector<double> response;
-  for (const std::size_t row : near) {
-    const double weight = rows.weights().empty() ? 1.0 : std::sqrt(rows.weights()[row]);
-    for (std::size_t c = 0; c < columns; ++c) design(response.size(), c) = weight * rows.basis()(row, c);
-    response.push_back(weight * residuals[row]);
-  }
-  if (analyse_rank(design).rank < columns) return residuals;
-  const std::vector<double> moved = solve_least_squares(design, response).coefficients;
-  for (std::size_t row = 0; row < residuals.size(); ++row) {
-    for (std::size_t c = 0; c < columns; ++c) residuals[row] -= rows.basis()(row, c) * moved[c];
-  }
-  return residuals;
+  if (near == rows.rows() || near < 2 * rows.basis().columns())
+    return {rows.residuals().begin(), rows.residuals().end()};
+  return rows.residuals_by(weights);
 }
 
 // As a fit has them that outlying rows do not move: where some lie off, they spread over the residuals of all

@@ -2,6 +2,7 @@
 #include "proofmass/assess/diagnosis/fit/fitted_rows.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,8 @@
 #include "proofmass/assess/diagnosis/record/term_space.hpp"
 #include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
 #include "proofmass/identify/method.hpp"
+#include "proofmass/numeric/linear/least_squares.hpp"
+#include "proofmass/numeric/linear/rank_analysis.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
 
 namespace proofmass {
@@ -56,6 +59,13 @@ double student_probability(double t, double dof) {
                    boost::math::complement(boost::math::students_t_distribution<double>(dof), std::abs(t)));
 }
 
+double fisher_probability(double ratio, double numerator, double denominator) {
+  if (std::isnan(ratio) || !(denominator >= 1.0)) return 1.0;
+  if (std::isinf(ratio)) return 0.0;
+  return boost::math::cdf(
+      boost::math::complement(boost::math::fisher_f_distribution<double>(numerator, denominator), ratio));
+}
+
 FittedRows::FittedRows(const Dataset& record, std::span<const std::size_t> training,
                        const Identification& result)
     : record_(record.select(some_of(training))),
@@ -79,6 +89,23 @@ void FittedRows::take_leverages() {
   dof_ = residuals_.size() - std::min(residuals_.size(), basis_.columns());
   scale_ = median_scale(residuals_, basis_.columns());
   has_noise_ = dof_ >= kLeastDof && scale_ > rounding_;
+}
+
+std::vector<double> FittedRows::residuals_by(std::span<const double> weights) const {
+  Matrix design = basis_;
+  std::vector<double> response(residuals_);
+  for (std::size_t row = 0; row < rows(); ++row) {
+    const double root = std::sqrt(weights[row]);
+    response[row] *= root;
+    for (std::size_t c = 0; c < design.columns(); ++c) design(row, c) *= root;
+  }
+  if (design.columns() == 0 || analyse_rank(design).rank < design.columns()) return residuals_;
+  const std::vector<double> moved = solve_least_squares(design, response).coefficients;
+  std::vector<double> left(residuals_);
+  for (std::size_t row = 0; row < rows(); ++row) {
+    for (std::size_t c = 0; c < moved.size(); ++c) left[row] -= basis_(row, c) * moved[c];
+  }
+  return left;
 }
 
 FittedRows FittedRows::with_columns(const Matrix& columns) const {

@@ -46,6 +46,9 @@ class FittedRows {
   // 1985). The probability is the larger of that and of the slope that bounded residuals give, on which
   // outliers have little effect (Huber, Ann. Math. Statist. 35, 1964).
   [[nodiscard]] Departure departure(std::span<const double> weights) const;
+  // What a fit of the terms with these weights, one a row, leaves of all rows; the residuals as they are
+  // where the weighted rows do not tell the terms.
+  [[nodiscard]] std::vector<double> residuals_by(std::span<const double> weights) const;
   // The same rows as if these orthonormal columns, which are beyond the terms, had been fitted too.
   [[nodiscard]] FittedRows with_columns(const Matrix& columns) const;
 
@@ -69,5 +72,8 @@ class FittedRows {
 
 // By Student's t, of either sign.
 [[nodiscard]] double student_probability(double t, double dof);
+
+// Of a ratio of variances as large or larger, by Fisher's F.
+[[nodiscard]] double fisher_probability(double ratio, double numerator, double denominator);
 
 }  // namespace proofmass

@@ -2,7 +2,6 @@
 #include "proofmass/assess/diagnosis/fit/joint_departure.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -16,13 +15,6 @@ namespace {
 constexpr double kLeastDofLeft = 3.0;
 constexpr double kPlausibleTogether = 1e-3;  // above it the second test cannot make a finding
 constexpr double kLeastLeverageLeft = 1e-6;
-
-double fisher_probability(double ratio, double numerator, double denominator) {
-  if (std::isnan(ratio) || !(denominator >= 1.0)) return 1.0;
-  if (std::isinf(ratio)) return 0.0;
-  return boost::math::cdf(
-      boost::math::complement(boost::math::fisher_f_distribution<double>(numerator, denominator), ratio));
-}
 
 // The variance of each row's noise, from what the columns leave.
 struct RowVariance {

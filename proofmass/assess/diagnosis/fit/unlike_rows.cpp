@@ -2,7 +2,6 @@
 #include "proofmass/assess/diagnosis/fit/unlike_rows.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -13,12 +12,6 @@ namespace {
 constexpr double kUnlike = 3.0;
 constexpr double kUnlikelyRatio = 1e-6;
 constexpr double kRoundingOfOutput = 1e-9;  // of the largest output
-
-double upper_probability(double ratio, double numerator, double denominator) {
-  if (!std::isfinite(ratio)) return 0.0;
-  return boost::math::cdf(
-      boost::math::complement(boost::math::fisher_f_distribution<double>(numerator, denominator), ratio));
-}
 
 // By how much the uncertainty of a fit of so many parameters raises the mean square error on rows like its
 // own: n + p over n.
@@ -39,7 +32,7 @@ std::optional<Finding> find_unlike_rows(const FittedRows& rows, const Dataset& r
   const double expected = result.train->mse * n / dof * variance_inflation_of(result);
   const double ratio = result.test->mse / expected;
   if (!(ratio > kUnlike * kUnlike)) return std::nullopt;
-  if (upper_probability(ratio, static_cast<double>(result.test->n), dof) > kUnlikelyRatio)
+  if (fisher_probability(ratio, static_cast<double>(result.test->n), dof) > kUnlikelyRatio)
     return std::nullopt;
   double largest = 0.0;
   for (const std::size_t row : split.test) largest = std::max(largest, std::abs(record.output[row]));
