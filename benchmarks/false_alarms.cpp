@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -137,6 +138,22 @@ void leave_one_axis(Dataset& record, RandomStream& /*random*/) {
   record.acceleration[2].clear();
 }
 
+// In the order of Ai as it was measured.
+void sort_by_input(Dataset& record, RandomStream& /*random*/) {
+  std::vector<std::size_t> order(record.rows());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::vector<double>& a = record.along(Axis::input);
+  std::sort(order.begin(), order.end(), [&a](std::size_t x, std::size_t y) { return a[x] < a[y]; });
+  record = record.select(order);
+}
+
+// Inputs measured with 100 ug.
+SimulationPlan with_noisy_inputs(SimulationPlan plan) {
+  plan.input_sigma = {100.0 * kUg, 100.0 * kUg, 100.0 * kUg};
+  plan.record_sigma = true;
+  return plan;
+}
+
 SimulationPlan mounts(double sigma) {
   SimulationPlan plan = read_simulation("data/mounts-24.toml");
   plan.noise.sigma = sigma;
@@ -151,9 +168,6 @@ std::vector<Kind> kinds() {
   outliers.noise.outlier_magnitude = 1e-3;
   SimulationPlan growing = sphere(10.0 * kUg);
   growing.noise.sigma_per_g = 10.0 * kUg;
-  SimulationPlan noisy_inputs = sphere(10.0 * kUg);
-  noisy_inputs.input_sigma = {1e-4, 1e-4, 1e-4};
-  noisy_inputs.record_sigma = true;
   return {
       {.name = "random directions, 1 to 20 g", .method = Ols{}, .plan = sphere(10.0 * kUg), .rows = 2000},
       {.name = "the same, 100 rows with t, T and sigma_E",
@@ -167,7 +181,10 @@ std::vector<Kind> kinds() {
        .rows = 1000},
       {.name = "5 % outliers", .method = Robust{}, .plan = outliers, .rows = 1000},
       {.name = "noise that grows with \\|A\\|", .method = Wls{}, .plan = growing, .rows = 1000},
-      {.name = "noisy inputs, with sigma columns", .method = Eiv{}, .plan = noisy_inputs, .rows = 500},
+      {.name = "noisy inputs, with sigma columns",
+       .method = Eiv{},
+       .plan = with_noisy_inputs(sphere(10.0 * kUg)),
+       .rows = 500},
       {.name = "24 mounts, 16 levels to 70 g", .method = Ols{}, .plan = mounts(10.0 * kUg), .rows = 384},
       {.name = "the same three times, in V with 5 decimals",
        .method = Ols{},
@@ -212,6 +229,15 @@ std::vector<Kind> kinds() {
        .plan = mounts(kUg),
        .rows = 384,
        .also = add_noise_of_mounts},
+      {.name = "noisy inputs, in the order of Ai",
+       .method = Eiv{},
+       .plan = with_noisy_inputs(sphere(10.0 * kUg)),
+       .rows = 100,
+       .also = sort_by_input},
+      {.name = "tumble, 48 positions, noisy inputs",
+       .method = Eiv{},
+       .plan = with_noisy_inputs(tumble(10.0 * kUg)),
+       .rows = 48},
       {.name = "one axis, 10 levels, five times",
        .method = Ols{},
        .plan = one_axis(10.0 * kUg),

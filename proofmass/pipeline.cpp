@@ -110,11 +110,13 @@ TermList in_canonical_order(TermList terms) {
   return terms;
 }
 
-// Before the method's own findings, and after those of reading: what cannot be what it claims.
+// Before the method's own findings, and after those of reading: the faults of the record and of the fit to
+// it.
 void add_diagnosis(Run& run, const Dataset& record, const Method& method) {
   std::vector<Finding> found = diagnose_record(record);
-  const std::vector<Finding> of_fit =
-      diagnose_fit(record, found, run.split, run.identification, sigma_columns(method).inputs);
+  const SigmaUse sigmas{.inputs_uncertain = takes_inputs_for_uncertain(method),
+                        .input_columns = sigma_columns(method).inputs};
+  const std::vector<Finding> of_fit = diagnose_fit(record, found, run.split, run.identification, sigmas);
   found.insert(found.end(), of_fit.begin(), of_fit.end());
   std::vector<Finding>& findings = run.identification.findings;
   findings.insert(findings.begin(), found.begin(), found.end());

@@ -32,6 +32,7 @@ enum class Code : std::uint8_t {
   term_aliased,
   term_beyond_rows,
   term_hidden_by_rounding,
+  term_hidden_by_uncertainty,
   term_left_out,
   term_without_expansion,
   // Reading a record.
@@ -113,8 +114,14 @@ enum class Code : std::uint8_t {
   // hybrid
   structure_beyond_terms,
   hidden_choice_ignored,
-  // What cannot be what it claims: of the record, and of a fit to it.
+  // Faults of the record, and of a fit to it.
   inputs_in_other_unit,
+  inputs_are_angles,
+  inputs_too_large,
+  magnitude_unlike_others,
+  rows_shifted,
+  output_unsigned,
+  output_copies_input,
   output_clipped,
   output_saturated,
   output_held,
@@ -124,6 +131,7 @@ enum class Code : std::uint8_t {
   rows_duplicated,
   time_backwards,
   time_standing,
+  temperature_implausible,
   scale_factor_negative,
   scale_factor_unlike_one,
   cross_axis_larger,
@@ -135,12 +143,15 @@ enum class Code : std::uint8_t {
   residuals_follow_temperature,
   residuals_follow_order,
   residuals_follow_mount,
+  residuals_follow_inputs,
   scale_factor_follows_time,
   scale_factor_follows_temperature,
   scale_factor_follows_order,
   scale_factor_follows_mount,
+  alignment_follows_mount,
   residuals_correlated,
   sigma_inputs_unused,
+  sigma_output_uneven,
   // predict
   inputs_outside_range,
   // compare with a known truth

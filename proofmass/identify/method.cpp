@@ -93,6 +93,14 @@ SigmaColumns sigma_columns(const Method& method) {
       method);
 }
 
+bool takes_inputs_for_uncertain(const Method& method) {
+  return std::visit(
+      [](const auto& own) {
+        return requires { own.uncertainty; };
+      },
+      method);
+}
+
 NetworkOptions* network_options(Method& method) { return network_options_of(method); }
 const NetworkOptions* network_options(const Method& method) { return network_options_of(method); }
 

@@ -55,6 +55,9 @@ void require_valid_options(const Method& method);
 // The record's sigma columns that a fit goes by; none for most methods.
 [[nodiscard]] SigmaColumns sigma_columns(const Method& method);
 
+// Whether it takes the inputs for uncertain, by columns of the record or by constants.
+[[nodiscard]] bool takes_inputs_for_uncertain(const Method& method);
+
 // The options of the method's network; null where it has none of a size that the options say.
 [[nodiscard]] NetworkOptions* network_options(Method& method);
 [[nodiscard]] const NetworkOptions* network_options(const Method& method);

@@ -4,21 +4,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "proofmass/assess/diagnosis/fit/chi_square.hpp"
 #include "proofmass/assess/diagnosis/fit/far_rows.hpp"
 #include "proofmass/assess/diagnosis/fit/fitted_rows.hpp"
+#include "proofmass/assess/diagnosis/fit/input_structure.hpp"
 #include "proofmass/assess/diagnosis/fit/misfit.hpp"
 #include "proofmass/assess/diagnosis/fit/mount_effects.hpp"
+#include "proofmass/assess/diagnosis/fit/residual_effect.hpp"
 #include "proofmass/assess/diagnosis/fit/residual_trend.hpp"
 #include "proofmass/assess/diagnosis/fit/scale_factor.hpp"
 #include "proofmass/assess/diagnosis/fit/serial_correlation.hpp"
 #include "proofmass/assess/diagnosis/fit/short_model.hpp"
 #include "proofmass/assess/diagnosis/fit/unlike_rows.hpp"
 #include "proofmass/assess/diagnosis/record/duplicated_rows.hpp"
+#include "proofmass/assess/diagnosis/record/implausible_inputs.hpp"
 #include "proofmass/assess/diagnosis/record/input_unit.hpp"
+#include "proofmass/assess/diagnosis/record/misread_columns.hpp"
 #include "proofmass/assess/diagnosis/record/output_limits.hpp"
 #include "proofmass/assess/diagnosis/record/time_order.hpp"
 #include "proofmass/assess/diagnosis/record/wrapped_output.hpp"
@@ -51,46 +56,59 @@ std::optional<Finding> find_few_degrees_of_freedom(const Identification& result)
                              {"percent", 100.0 / std::sqrt(2.0 * static_cast<double>(*dof))}}};
 }
 
-// Mounts in sequence make a trend, and a trend makes mounts differ: what the other explains is not named.
-bool add_trend_or_mounts(Findings& findings, const FittedRows& rows) {
-  auto trend = find_residual_trend(rows);
-  auto mounts = find_mount_effect(rows);
-  if (trend && mounts && mounts->columns.columns() > 0) {
-    const bool trend_stays = find_residual_trend(rows.with_columns(mounts->columns)).has_value();
-    const bool mounts_stay = find_mount_effect(rows.with_columns(trend->columns)).has_value();
-    const bool both = trend_stays && mounts_stay;
-    const bool trend_first = trend_stays == mounts_stay ? trend->errors > mounts->errors : trend_stays;
-    if (!both && trend_first) mounts.reset();
-    if (!both && !trend_first) trend.reset();
-  }
-  if (trend) findings.push_back(std::move(trend->finding));
-  if (mounts) findings.push_back(std::move(mounts->finding));
-  return trend || mounts;
+void add(Findings& findings, std::vector<ResidualEffect> effects) {
+  for (ResidualEffect& effect : effects) findings.push_back(std::move(effect.finding));
+}
+
+// Structure along the inputs where terms should explain it, and the inputs are exact: the error of an input
+// that is uncertain is part of it, and of its row's residual.
+std::vector<FindEffect> effects_to_seek(const FittedRows& rows, const Identification& result) {
+  std::vector<FindEffect> sought{find_residual_trend, find_mount_effect};
+  if (takes_terms_as_given(result) && !rows.inputs_uncertain()) sought.push_back(find_input_structure);
+  return sought;
 }
 
 // What the residuals follow. One cause shows in several ways: the first that is found is named, and the
 // others are sought in what it leaves.
 void add_residual_findings(Findings& findings, const FittedRows& rows, const Identification& result) {
   if (!rows.has_noise()) return;
+  const std::vector<FindEffect> sought = effects_to_seek(rows, result);
   if (auto missing = find_short_model(rows, result)) {
     findings.push_back(std::move(missing->finding));
     const FittedRows left = rows.with_columns(missing->columns);
-    if (left.has_noise()) add_trend_or_mounts(findings, left);
+    if (left.has_noise()) add(findings, find_effects(left, sought));
     return;
   }
-  add(findings, find_far_rows(rows, result));
-  if (!add_trend_or_mounts(findings, rows)) add(findings, find_serial_correlation(rows));
+  std::vector<ResidualEffect> effects = find_effects(rows, sought);
+  const bool far = add(findings, find_far_rows(without_effects(rows, effects), result));
+  const bool any = far || !effects.empty() || add(findings, find_masked_rows(rows, result));
+  if (!any) add(findings, find_serial_correlation(rows));
+  add(findings, std::move(effects));
 }
 
 // Whether what was found in the record makes its coefficients and residuals wrong: what they look like then
 // is a consequence.
 bool is_explained(std::span<const Finding> of_record) {
-  constexpr std::array kCauses{Code::inputs_in_other_unit, Code::output_clipped, Code::output_saturated,
-                               Code::output_held,          Code::output_stuck,   Code::output_repeated,
-                               Code::output_wrapped};
+  constexpr std::array kCauses{Code::inputs_in_other_unit, Code::inputs_are_angles,   Code::rows_shifted,
+                               Code::output_unsigned,      Code::output_copies_input, Code::output_clipped,
+                               Code::output_saturated,     Code::output_held,         Code::output_stuck,
+                               Code::output_repeated,      Code::output_wrapped};
   return std::any_of(of_record.begin(), of_record.end(), [&](const Finding& finding) {
     return std::find(kCauses.begin(), kCauses.end(), finding.code) != kCauses.end();
   });
+}
+
+// The others, each with its line.
+Dataset without_rows(Dataset record, const std::vector<std::size_t>& rows) {
+  if (record.line.empty()) {
+    record.line.resize(record.rows());
+    std::iota(record.line.begin(), record.line.end(), std::size_t{1});
+  }
+  std::vector<std::size_t> others;
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    if (!std::binary_search(rows.begin(), rows.end(), row)) others.push_back(row);
+  }
+  return record.select(others);
 }
 
 }  // namespace
@@ -98,23 +116,30 @@ bool is_explained(std::span<const Finding> of_record) {
 std::vector<Finding> diagnose_record(const Dataset& record) {
   Findings findings;
   add(findings, find_other_input_unit(record));
-  add(findings, find_output_limits(record));
-  add(findings, find_wrapped_output(record));
+  add(findings, find_implausible_inputs(record));
+  const std::vector<std::size_t> unlike = rows_of_unlike_magnitude(record);
+  if (!unlike.empty()) findings.push_back(unlike_magnitude(record, unlike));
+  const Dataset plausible = unlike.empty() ? Dataset() : without_rows(record, unlike);
+  const Dataset& judged = unlike.empty() ? record : plausible;
+  if (!add(findings, find_misread_column(judged))) {
+    add(findings, find_output_limits(judged));
+    add(findings, find_wrapped_output(judged));
+  }
   add(findings, find_duplicated_rows(record));
   add(findings, find_time_disorder(record));
   return findings;
 }
 
 std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding> of_record,
-                                  const Split& split, const Identification& result, bool inputs_sigma_used) {
+                                  const Split& split, const Identification& result, const SigmaUse& sigmas) {
   Findings findings;
   add(findings, find_few_degrees_of_freedom(result));
-  const FittedRows rows(record, split.training, result);
+  const FittedRows rows(record, split.training, result, sigmas.inputs_uncertain);
   if (!is_explained(of_record) && !add(findings, find_misfit(rows, result))) {
     add(findings, find_implausible_scale_factor(rows, result));
     add_residual_findings(findings, rows, result);
   }
-  add(findings, find_wrong_sigmas(rows, result, inputs_sigma_used));
+  add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns));
   add(findings, find_unlike_rows(rows, record, split, result));
   return findings;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What in a record or a fit cannot be what it claims (docs/diagnosis.md). Clean records give no warning.
+// Faults of a record and of a fit to it (docs/diagnosis.md). Clean records give no warning.
 #pragma once
 
 #include <span>
@@ -12,15 +12,19 @@
 
 namespace proofmass {
 
+// What a method does with uncertainties of the inputs.
+struct SigmaUse {
+  bool inputs_uncertain = false;  // takes the inputs for uncertain at all
+  bool input_columns = false;     // goes by the record's columns of them
+};
+
 // Of the record alone: units, limits of the output, its counts, repeated rows, time.
 [[nodiscard]] std::vector<Finding> diagnose_record(const Dataset& record);
 
 // Of a fit to the record's training rows, scored: coefficients, residuals, uncertainties, test rows. The same
 // for every method. `of_record`: what was found in the record, whose consequences are not named again.
-// `inputs_sigma_used`: whether the method takes the uncertainties of the inputs into
-// account.
 [[nodiscard]] std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding> of_record,
                                                 const Split& split, const Identification& result,
-                                                bool inputs_sigma_used);
+                                                const SigmaUse& sigmas);
 
 }  // namespace proofmass

@@ -154,11 +154,26 @@ void shift_outputs(Dataset& record) {
   std::rotate(record.output.begin(), record.output.begin() + 2, record.output.end());
 }
 
-void as_angles(Dataset& record) {
+// Six mounts of 50 rows, each with one radial axis, whose outputs are those of the row before.
+void shift_mounts(Dataset& record) {
+  RandomStream random(8, stream_id("mounts"));
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const std::size_t mount = row / 50;
+    record.mount[row] = "P" + std::to_string(mount);
+    for (std::vector<double>& axis : record.acceleration) axis[row] = 0.0;
+    record.acceleration[mount % 3][row] = (mount < 3 ? 1.0 : -1.0) * static_cast<double>(1 + row % 50);
+    record.acceleration[(mount + 1) % 3][row] = 1.0;
+    record.output[row] = 0.001 + record.acceleration[0][row] + kNoise * random.normal();
+  }
+  std::rotate(record.output.begin(), record.output.end() - 1, record.output.end());
+}
+
+// A dividing head's angles; `unit` of them is a degree.
+void as_angles(Dataset& record, double unit) {
   RandomStream random(7, stream_id("angles"));
   for (std::size_t row = 0; row < record.rows(); ++row) {
     const double degrees = 15.0 * static_cast<double>(random.index(24));
-    record.acceleration[0][row] = degrees;
+    record.acceleration[0][row] = degrees * unit;
     record.output[row] = 1.25 * std::cos(degrees * std::numbers::pi / 180.0) + kNoise * random.normal();
   }
   record.acceleration[1].clear();
@@ -247,8 +262,37 @@ std::vector<Fault> faults() {
          for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = row;
          r = r.select(rows);
        }},
-      {Code::gross_misfit, "shifted", shift_outputs},
-      {Code::gross_misfit, "angles", as_angles, {Term::K0, Term::Ki}},
+      {Code::rows_shifted, "two_up", shift_outputs},
+      {Code::rows_shifted, "one_down_by_mounts", shift_mounts},
+      {Code::inputs_are_angles, "degrees", [](Dataset& r) { as_angles(r, 1.0); }, {Term::K0, Term::Ki}},
+      {Code::inputs_are_angles,
+       "radians",
+       [](Dataset& r) { as_angles(r, std::numbers::pi / 180.0); },
+       {Term::K0, Term::Ki}},
+      {Code::output_unsigned, "rectified",
+       [](Dataset& r) {
+         for (double& e : r.output) e = std::abs(e);
+       }},
+      {Code::output_copies_input, "ai", [](Dataset& r) { r.acceleration[0] = r.output; }},
+      {Code::inputs_too_large, "micro_g",
+       [](Dataset& r) {
+         for (std::vector<double>& axis : r.acceleration) {
+           for (double& a : axis) a *= 1e6;
+         }
+       }},
+      {Code::magnitude_unlike_others, "mistyped_ai",
+       [](Dataset& r) {
+         tumble(r, 1.0);
+         r.acceleration[0][40] += 0.1;
+       },
+       linear_terms()},
+      {Code::magnitude_unlike_others, "mistyped_ao",
+       [](Dataset& r) {
+         tumble(r, 1.0);
+         r.acceleration[1][40] += 0.05;
+       },
+       linear_terms()},
+      {Code::temperature_implausible, "mark", [](Dataset& r) { r.temperature[7] = -999.0; }},
       {Code::gross_misfit, "two_units",
        [](Dataset& r) {
          for (std::size_t row = 0; row < r.rows(); row += 3) {
@@ -299,6 +343,25 @@ std::vector<Fault> faults() {
        [](Dataset& r) {
          scale_output(r, [&](std::size_t row) { return r.mount[row] == "P2" ? 1e-5 : 0.0; });
        }},
+      {Code::alignment_follows_mount, "one",
+       [](Dataset& r) {
+         add_to_output(
+             r, [&](std::size_t row) { return r.mount[row] == "P2" ? 1e-5 * r.acceleration[1][row] : 0.0; });
+       }},
+      {Code::residuals_follow_inputs, "gain_by_sign",
+       [](Dataset& r) {
+         add_to_output(r, [&](std::size_t row) { return 2e-5 * std::max(0.0, r.acceleration[0][row]); });
+       }},
+      {Code::residuals_follow_inputs, "step_across",
+       [](Dataset& r) {
+         add_to_output(r, [&](std::size_t row) { return std::copysign(2e-5, r.acceleration[2][row]); });
+       }},
+      {Code::residuals_follow_inputs, "other",
+       [](Dataset& r) {
+         add_to_output(r, [&](std::size_t row) { return 3e-5 * std::cos(r.acceleration[0][row]); });
+       }},
+      {Code::rows_far_off, "many",
+       [](Dataset& r) { scale_output(r, [](std::size_t row) { return row * 7 % 10 < 3 ? 1e-2 : 0.0; }); }},
       {Code::residuals_correlated, "wanders", wander},
       {Code::sigma_output_too_small, "by_0_7",
        [](Dataset& r) {
@@ -307,6 +370,14 @@ std::vector<Fault> faults() {
       {Code::sigma_output_too_large, "by_1_4",
        [](Dataset& r) {
          for (double& s : r.output_sigma) s *= 1.4;
+       }},
+      {Code::sigma_output_uneven, "a_fifth_too_large",
+       [](Dataset& r) {
+         for (std::size_t row = 0; row < r.rows(); row += 5) r.output_sigma[row] *= 1000.0;
+       }},
+      {Code::sigma_output_uneven, "a_fifth_too_small",
+       [](Dataset& r) {
+         for (std::size_t row = 0; row < r.rows(); row += 5) r.output_sigma[row] *= 1e-3;
        }},
       {Code::sigma_inputs_unused, "one_axis",
        [](Dataset& r) { r.acceleration_sigma[0].assign(r.rows(), kNoise); }},
@@ -322,12 +393,68 @@ TEST(DiagnosisOfMisfit, NamesTheLikeliestReason) {
     return test::word(test::finding_of(diagnosed(record, Ols{}, terms).identification, Code::gross_misfit),
                       "reason");
   };
-  EXPECT_EQ(reason(shift_outputs, paper_terms()), "shifted");
-  EXPECT_EQ(reason(as_angles, {Term::K0, Term::Ki}), "angles");
   EXPECT_EQ(reason([](Dataset&) {}, {Term::K0, Term::Ko}), "terms");
   EXPECT_EQ(reason([](Dataset& r) { std::sort(r.output.begin(), r.output.end()); }, paper_terms()),
             "unrelated");
   EXPECT_EQ(reason([](Dataset& r) { r.output[7] = 400.0; }, paper_terms()), "rows");
+}
+
+TEST(DiagnosisOfShift, NamesRowsAndDirection) {
+  Dataset record = clean_record();
+  shift_outputs(record);
+  const Finding up = test::finding_of(diagnosed(record).identification, Code::rows_shifted);
+  EXPECT_EQ(test::number(up, "shift"), 2.0);
+  EXPECT_EQ(test::word(up, "direction"), "above");
+  EXPECT_FALSE(test::has(diagnosed(record).identification, Code::gross_misfit));
+}
+
+// One wrong row of a tumble determines what the others leave aliased; it makes no stuck output and no shift.
+TEST(DiagnosisOfMagnitude, NamesTheRowAlone) {
+  for (const std::size_t wrong : {5U, 100U, 299U}) {
+    for (const double by : {-2.0, 0.01, 0.1, 10.0}) {
+      Dataset record = clean_record();
+      tumble(record, 1.0);
+      record.acceleration[0][wrong] += by;
+      const std::vector<Finding> findings = diagnose_record(record);
+      ASSERT_EQ(findings.size(), 1U) << wrong << " " << by;
+      EXPECT_EQ(findings.front().code, Code::magnitude_unlike_others);
+      EXPECT_EQ(findings.front().lines, std::vector<std::size_t>{record.line_of(wrong)});
+    }
+  }
+}
+
+// A tumble with a few rows in a centrifuge.
+TEST(DiagnosisOfMagnitude, KnowsRowsAtOtherLevels) {
+  for (const auto& levels : {std::vector<double>{10.0}, std::vector<double>{1.5, 3.0, 7.0},
+                             std::vector<double>{1.01, 1.01, 1.01}}) {
+    Dataset record = clean_record();
+    tumble(record, 1.0);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      const std::size_t row = 40 + 2 * k;
+      for (std::vector<double>& axis : record.acceleration) axis[row] *= levels[k];
+      record.output[row] = 0.01 + record.acceleration[0][row] + 1e-4 * record.acceleration[1][row];
+    }
+    EXPECT_TRUE(diagnose_record(record).empty()) << levels.size();
+  }
+}
+
+// What residuals follow is said by its shape and size.
+TEST(DiagnosisOfStructure, NamesAxisShapeAndSize) {
+  const auto found = [](const std::function<double(const Acceleration&)>& added) {
+    Dataset record = clean_record();
+    add_to_output(record, [&](std::size_t row) { return added(record.at(row)); });
+    return test::finding_of(diagnosed(record).identification, Code::residuals_follow_inputs);
+  };
+  const Finding slope = found([](const Acceleration& a) { return 1e-3 * std::max(0.0, a.o); });
+  EXPECT_EQ(test::word(slope, "axis"), "Ao");
+  EXPECT_EQ(test::word(slope, "shape"), "slope");
+  EXPECT_NEAR(test::number(slope, "change"), 1e-3, 1e-5);
+  const Finding step = found([](const Acceleration& a) { return a.p > 0.0 ? 1e-3 : 0.0; });
+  EXPECT_EQ(test::word(step, "axis"), "Ap");
+  EXPECT_EQ(test::word(step, "shape"), "step");
+  EXPECT_NEAR(test::number(step, "change"), 1e-3, 1e-4);
+  EXPECT_EQ(test::word(found([](const Acceleration& a) { return 1e-3 * std::cos(0.4 * a.i); }), "shape"),
+            "other");
 }
 
 TEST(DiagnosisOfClipping, NamesTheLines) {

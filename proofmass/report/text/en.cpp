@@ -20,6 +20,7 @@ std::string_view sentence(Code code) noexcept {
     case Code::term_aliased:
     case Code::term_beyond_rows:
     case Code::term_hidden_by_rounding:
+    case Code::term_hidden_by_uncertainty:
     case Code::term_left_out:
     case Code::term_without_expansion:
       break;  // see english_reason
@@ -233,6 +234,12 @@ std::string_view sentence(Code code) noexcept {
       return "standard errors assume exact inputs and white noise of one variance, and ignore that the "
              "number of hidden units was chosen on the same rows";
     case Code::inputs_in_other_unit:
+    case Code::inputs_are_angles:
+    case Code::inputs_too_large:
+    case Code::magnitude_unlike_others:
+    case Code::rows_shifted:
+    case Code::output_unsigned:
+    case Code::output_copies_input:
     case Code::output_clipped:
     case Code::output_saturated:
     case Code::output_held:
@@ -242,6 +249,7 @@ std::string_view sentence(Code code) noexcept {
     case Code::rows_duplicated:
     case Code::time_backwards:
     case Code::time_standing:
+    case Code::temperature_implausible:
     case Code::scale_factor_negative:
     case Code::scale_factor_unlike_one:
     case Code::cross_axis_larger:
@@ -253,12 +261,15 @@ std::string_view sentence(Code code) noexcept {
     case Code::residuals_follow_temperature:
     case Code::residuals_follow_order:
     case Code::residuals_follow_mount:
+    case Code::residuals_follow_inputs:
     case Code::scale_factor_follows_time:
     case Code::scale_factor_follows_temperature:
     case Code::scale_factor_follows_order:
     case Code::scale_factor_follows_mount:
+    case Code::alignment_follows_mount:
     case Code::residuals_correlated:
     case Code::sigma_inputs_unused:
+    case Code::sigma_output_uneven:
       return english_diagnosis(code);
     case Code::inputs_outside_range:
       return "{count:.0f} of {total:.0f} rows {count:?lies|lie} outside the range that the result was "
@@ -299,7 +310,8 @@ std::string english(const Finding& finding) {
   if (!words.empty()) return filled(words, finding, phrase);
   std::string text = join_names({finding.terms.begin(), finding.terms.begin() + !finding.terms.empty()}) +
                      " is not identified: " + english_reason(finding);
-  const bool aliased = finding.code == Code::term_aliased || finding.code == Code::term_hidden_by_rounding;
+  const bool aliased = finding.code == Code::term_aliased || finding.code == Code::term_hidden_by_rounding ||
+                       finding.code == Code::term_hidden_by_uncertainty;
   if (!aliased || finding.terms.size() < 2) return text;
   return text + "; whatever it contributes is in the value of " +
          join_names({finding.terms.begin() + 1, finding.terms.end()});

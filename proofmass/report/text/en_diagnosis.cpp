@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What in a record or a fit cannot be what it claims: cause, consequence, remedy.
+// Faults of a record and of a fit: cause, consequence, remedy.
 #include "proofmass/report/text/en_diagnosis.hpp"
 
 #include <array>
@@ -13,13 +13,8 @@ struct NamedPhrase {
   std::string_view phrase;
 };
 constexpr std::string_view kRows =
-    "a few rows are far off, the others are not. Use --method robust, and look at the rows that it suspects";
-constexpr std::string_view kShifted =
-    "the outputs follow the inputs of rows {shift:.0f} away: the columns are shifted against each other";
-constexpr std::string_view kAngles =
-    "the outputs follow the cosine or sine of the inputs in degrees: the inputs are angles of a dividing "
-    "head. "
-    "Give their cosines, or sines, as Ai";
+    "a few rows are far off, the others are not. Use the method robust, and look at the rows that it "
+    "suspects";
 constexpr std::string_view kMixed =
     "the inputs of some rows are in another unit than those of the others (a ratio of 9.8, or of 1000). "
     "Convert them to one";
@@ -38,25 +33,28 @@ constexpr std::array kPhrases{
                 "with Ko = {ko:.4g} and Kp = {kp:.4g} g/g it is that of an instrument turned by {angle:.3g} "
                 "degrees from the axes of the record, or of outputs that stand beside the inputs of another "
                 "position. Turn the inputs by that angle, or move the outputs to their own rows"},
-    NamedPhrase{"hint", "angles", kAngles},
     NamedPhrase{"hint", "mixed", kMixed},
     NamedPhrase{"hint", "rows", kRows},
-    NamedPhrase{"hint", "shifted", kShifted},
     NamedPhrase{"hint", "undeclared", "no unit is declared for E, and g is assumed. State it, as in E[V]"},
     NamedPhrase{"hint", "declared",
                 "the unit of E or of the inputs is not what the record says, or the wrong column is read"},
     NamedPhrase{"reason", "terms",
-                "terms of the static model that are left out explain most of it. Use --model full "
-                "--on-rank-loss drop"},
+                "terms of the static model that are left out explain most of it. Ask for the model full, and "
+                "drop the terms that are not identifiable"},
     NamedPhrase{"reason", "rows", kRows},
-    NamedPhrase{"reason", "shifted", kShifted},
-    NamedPhrase{"reason", "angles", kAngles},
     NamedPhrase{"reason", "mixed", kMixed},
     NamedPhrase{
         "reason", "unrelated",
         "the output hardly depends on the inputs. The wrong column is read, or rows are in another order"},
     NamedPhrase{"reason", "unknown",
                 "the inputs explain part of the output only. Plot the output against each input"},
+    NamedPhrase{"shape", "step",
+                "as if the output jumped by {change:.3g} {unit} where {axis} changes its sign"},
+    NamedPhrase{
+        "shape", "slope",
+        "as if the response to {axis} differed by {change:.3g} {unit}/g between positive and negative "
+        "{axis}"},
+    NamedPhrase{"shape", "other", "by another amount in each part of its range"},
     NamedPhrase{"magnitudes", "all_axes", "|A| is {least:.5g} to {largest:.5g} in every row and"},
     NamedPhrase{"magnitudes", "one_axis", "the largest |Ai|, {largest:.5g} both ways,"},
     NamedPhrase{"size", "power", "2^{bits:.0f} = {turn:.0f}"},
@@ -68,7 +66,7 @@ constexpr std::array kPhrases{
         "within", "mounts",
         "of neighbouring rows are correlated ({correlation:.2f}, {errors:.3g} standard errors) within "
         "mounts, and not from one mount to the next: errors of the stand (alignment, radius, fixture) "
-        "do so"},
+        "have this effect"},
     NamedPhrase{"which", "largest", "largest"},
     NamedPhrase{"which", "smallest", "smallest"}};
 
@@ -80,6 +78,36 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "{magnitudes} was read in {read}: it looks like 1 g in {written}. Every coefficient is then "
              "wrong by powers of the ratio. State the unit in the "
              "header, as in Ai[{written}]";
+    case Code::inputs_are_angles:
+      return "the outputs follow the {function} of the inputs read as angles in {written}, and not the "
+             "inputs: "
+             "they are angles of a dividing head. The coefficients mean nothing as they are. Give the "
+             "{function} "
+             "of the angle, times local gravity, as Ai";
+    case Code::inputs_too_large:
+      return "the accelerations go up to {largest:.3g} g (read in {read}), and no test stand for "
+             "accelerometers "
+             "makes more than {limit:g} g: they are in another unit, or the wrong columns are read. State "
+             "the "
+             "unit in the header, as in Ai[ug]";
+    case Code::magnitude_unlike_others:
+      return "|A| is {value:.7g} {unit} in line {line:.0f}, and {others:.7g} {unit} in nearly all other rows "
+             "({count:.0f} {count:?row is|rows are} unlike them): an input is mistyped there. Such a row can "
+             "decide alone about terms that the others do not tell apart, whose values are then wrong by any "
+             "amount. Correct the inputs or leave the {count:?row|rows} out: {count:?line|lines} {lines}";
+    case Code::rows_shifted:
+      return "the outputs follow the inputs of other rows: they stand {shift:.0f} {shift:?row|rows} "
+             "{direction} "
+             "their inputs. The coefficients mean nothing as they are. Move the column of the outputs";
+    case Code::output_unsigned:
+      return "the outputs have one sign, and follow the inputs closely if those with negative Ai are turned "
+             "round: the meter or the file has lost their sign. The coefficients mean nothing as they are. "
+             "Record "
+             "the outputs with their sign";
+    case Code::output_copies_input:
+      return "the outputs equal {axis} in every row: one column is a copy of the other, and the coefficients "
+             "say "
+             "nothing of an instrument. Name the column of the outputs";
     case Code::output_clipped:
       return "{count:.0f} rows with different inputs have exactly the {which} output, {value:.8g} {unit}: "
              "the output is clipped there, and coefficients that fit it are wrong. Leave these rows out, or "
@@ -120,6 +148,12 @@ std::string_view english_diagnosis(Code code) noexcept {
     case Code::time_standing:
       return "t stands still in {count:.0f} of {total:.0f} rows: rows pasted twice, or a clock that stopped: "
              "{count:?line|lines} {lines}";
+    case Code::temperature_implausible:
+      return "T is {value:g} {unit} in line {line:.0f}, and about {middle:.3g} {unit} in the others "
+             "({count:.0f} {count:?row is|rows are} more than 100 K from there, or below absolute zero): a "
+             "mark "
+             "for a missing reading, or another unit. Whether the residuals follow T cannot be judged then. "
+             "Correct T or leave the {count:?row|rows} out: {count:?line|lines} {lines}";
     case Code::scale_factor_negative:
       return "Ki is negative ({value:.6g} {unit}): the output falls while the acceleration along the input "
              "axis grows. The input axis points the other way, or the leads of the output are swapped";
@@ -128,25 +162,25 @@ std::string_view english_diagnosis(Code code) noexcept {
     case Code::cross_axis_larger:
       return "{terms} ({value:.6g} {unit}) is larger than Ki ({ki:.6g} {unit}): the columns of the axes are "
              "swapped, or the instrument is mounted along another axis than the record says. Name the "
-             "columns by --map";
+             "columns as they are";
     case Code::few_degrees_of_freedom:
       return "{rows:.0f} rows leave {dof:.0f} {dof:?degree|degrees} of freedom: standard errors are "
              "themselves uncertain by about {percent:.0f} %, and a misfit cannot show. Use more rows, or "
              "fewer terms";
     case Code::gross_misfit:
-      return "the fit explains {r2:.3g} of the outputs' variance (R², warned of below {limit:g}): {reason}";
+      return "R² is {r2:.3g}, below {limit:g}: the fit does not explain the outputs. {reason}";
     case Code::model_too_short:
       return "the residuals follow {count:.0f} {count:?term|terms} that the model lacks and that the rows "
              "can identify: "
              "{terms} ({errors:.3g} standard errors). With them the residuals' standard deviation would fall "
              "from {before:.3g} to {after:.3g} {unit}; without them what they contribute is in the other "
-             "coefficients too. Add them, or use --model full --on-rank-loss drop";
+             "coefficients too. Add them, or ask for the model full and drop what is not identifiable";
     case Code::rows_far_off:
       return "{count:.0f} {count:?row lies|rows lie} too far from the fit to be noise (line {line:.0f} by "
-             "{residual:.3g} {unit}; the scale of the residuals is {scale:.3g} {unit}), and least squares "
-             "follows it. Look there, and leave out what is wrong or use --method robust: "
-             "{count:?line|lines} "
-             "{lines}";
+             "{residual:.3g} {unit}; the scale of the residuals is {scale:.3g} {unit}), and "
+             "{count:?moves|move} the "
+             "coefficients. Correct what is wrong, leave it out, or use the method robust: "
+             "{count:?line|lines} {lines}";
     case Code::residuals_follow_time:
       return "the residuals follow t: over the record they change by {change:.3g} {unit}, {errors:.3g} "
              "standard errors (noise {scale:.3g} {unit}). A drift moves the coefficients. Leave the warm-up "
@@ -163,11 +197,18 @@ std::string_view english_diagnosis(Code code) noexcept {
     case Code::residuals_follow_mount:
       return "the residuals follow the mount, in {count:.0f} of {total:.0f} mounts: in {mount} they average "
              "{mean:.3g} {unit}, {errors:.3g} standard errors from zero. Errors of the stand (alignment, "
-             "radius, fixture) do so; they are alike in all rows of a mount, and the standard errors, which "
-             "take rows for independent, are too small";
+             "radius, fixture) have this effect. They are common to all rows of a mount, and the standard "
+             "errors, which take rows for independent, are too small";
+    case Code::residuals_follow_inputs:
+      return "the residuals follow {axis}, beyond every term of the static model: {shape}. Without it their "
+             "standard deviation would fall from {before:.3g} to {after:.3g} {unit}. A readout that changes "
+             "its "
+             "range, a dead zone or hysteresis does so, and the coefficients of {axis} are then averages. "
+             "Check "
+             "the readout, identify the parts of the range apart, or use the method hybrid";
     case Code::scale_factor_follows_time:
       return "the scale factor follows t: over the record Ki changes by {change:.3g} {unit}, {errors:.3g} "
-             "standard errors. A scale factor that drifts is none. Wait until the instrument is warm, or "
+             "standard errors. Ki is then an average over the record. Wait until the instrument is warm, or "
              "split the record and identify the parts";
     case Code::scale_factor_follows_temperature:
       return "the scale factor follows T: over its range Ki changes by {change:.3g} {unit}, {errors:.3g} "
@@ -179,14 +220,27 @@ std::string_view english_diagnosis(Code code) noexcept {
              "drifts: wait until the instrument is warm, or split the record and identify the parts";
     case Code::scale_factor_follows_mount:
       return "the scale factor differs from mount to mount, in {count:.0f} of {total:.0f} mounts: in {mount} "
-             "Ki is off by {mean:.3g} {unit}, {errors:.3g} standard errors. A wrong radius of the mount does "
-             "so, and an instrument that was changed or set anew between mounts";
+             "Ki is off by {mean:.3g} {unit}, {errors:.3g} standard errors. A wrong radius of the mount has "
+             "this effect, and an instrument that was changed or adjusted between mounts";
+    case Code::alignment_follows_mount:
+      return "the response across the input axis differs from mount to mount, in {count:.0f} of {total:.0f} "
+             "mounts: in {mount} {terms} is off by {mean:.3g} {unit}, {errors:.3g} standard errors. An "
+             "instrument "
+             "that is not aligned in its mount has this effect (1 mrad: 1e-3 of the acceleration across). "
+             "Align "
+             "it, or correct the inputs of this mount by its angle";
     case Code::residuals_correlated:
       return "the residuals {within}. Standard errors take rows for independent, "
              "and are too small";
     case Code::sigma_inputs_unused:
       return "the columns sigma_A... are not used: {method} takes the inputs for exact. Their uncertainties "
              "explain {percent:.3g} % of the residuals' variance. eiv takes them into account";
+    case Code::sigma_output_uneven:
+      return "sigma_E does not go with the residuals: over the {count:.0f} rows with sigma_E of {limit:.3g} "
+             "{unit} and more they are {large:.3g} times it, over the others {small:.3g} times. Weights by "
+             "sigma_E favour the wrong rows, and standard errors from it are wrong. Check the unit and the "
+             "rows "
+             "of sigma_E";
     default:
       return {};
   }

@@ -7,7 +7,7 @@
 
 namespace proofmass {
 
-// The sentences, in English, on what cannot be what it claims, and the phrases for the choices that they
+// The sentences, in English, on faults of records and fits, and the phrases for the choices that they
 // name; empty for other codes and figures. Figures are in braces.
 [[nodiscard]] std::string_view english_diagnosis(Code code) noexcept;
 [[nodiscard]] std::string_view english_diagnosis_phrase(std::string_view figure,

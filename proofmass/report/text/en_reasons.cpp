@@ -39,6 +39,18 @@ std::string hidden_by_rounding(const Finding& finding) {
              finding);
 }
 
+std::string hidden_by_uncertainty(const Finding& finding) {
+  if (finding.terms.size() < 2)
+    return filled("its input is no larger than the uncertainty of the inputs, {sigma:.2g} g", finding);
+  return fmt::format("aliased with {} at the uncertainty of the inputs: ",
+                     join_names({finding.terms.begin() + 1, finding.terms.end()})) +
+         filled(
+             "it is {sigma:.2g} g, and what separates these terms is no more than errors of that size. "
+             "Measure "
+             "the inputs better, or test at more levels of acceleration",
+             finding);
+}
+
 std::string reason(const Finding& finding) {
   switch (finding.code) {
     case Code::term_without_column:
@@ -52,6 +64,8 @@ std::string reason(const Finding& finding) {
                     finding);
     case Code::term_hidden_by_rounding:
       return hidden_by_rounding(finding);
+    case Code::term_hidden_by_uncertainty:
+      return hidden_by_uncertainty(finding);
     case Code::term_left_out:
       return filled(
           "left out by the search: the criterion is {without:.6g} {unit} without it, {with:.6g} {unit} with "

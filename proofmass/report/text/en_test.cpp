@@ -83,13 +83,18 @@ Finding with_every_figure(Code code) {
                              "change",
                              "mean",
                              "correlation",
-                             "shift"}) {
+                             "shift",
+                             "sigma",
+                             "others",
+                             "middle",
+                             "large",
+                             "small"}) {
     finding.figures.emplace_back(number, 2.0);
   }
   for (const char* word :
-       {"axes",   "column", "columns", "encoding", "criterion", "inflated", "method", "named",
-        "origin", "read",   "written", "which",    "hint",      "reason",   "mount",  "magnitudes",
-        "size",   "within", "plan",    "product",  "text",      "unit"}) {
+       {"axes", "column",  "columns", "encoding", "criterion", "inflated", "method",     "named",    "origin",
+        "read", "written", "which",   "hint",     "reason",    "mount",    "magnitudes", "size",     "within",
+        "plan", "product", "text",    "unit",     "axis",      "shape",    "function",   "direction"}) {
     finding.figures.emplace_back(word, "<" + std::string(word) + ">");
   }
   return finding;
@@ -123,7 +128,8 @@ TEST(English, PutsFiguresAndTermsInTheirPlaces) {
 TEST(English, CountsOneAsOne) {
   for (const Code code : all_codes()) {
     const bool several = code == Code::output_clipped || code == Code::output_saturated ||
-                         code == Code::output_repeated || code == Code::output_stuck;
+                         code == Code::output_repeated || code == Code::output_stuck ||
+                         code == Code::sigma_output_uneven;
     if (several) continue;  // never one row
     Finding one{.code = code, .terms = {Term::Ki, Term::Kiii}, .lines = {7}};
     for (Figure figure : with_every_figure(code).figures) {
@@ -192,6 +198,10 @@ TEST(English, SaysWhyATermIsNotIdentified) {
                               .figures = {{"step", 0.001}}}),
               StartsWith("aliased with K0, Kii at the resolution of the record: the inputs are written in "
                          "steps of 0.001 g"));
+  EXPECT_THAT(english_reason({.code = Code::term_hidden_by_uncertainty,
+                              .terms = {Term::Koo, Term::K0, Term::Kii},
+                              .figures = {{"sigma", 1e-4}}}),
+              StartsWith("aliased with K0, Kii at the uncertainty of the inputs: it is 0.0001 g"));
   EXPECT_EQ(english_reason({.code = Code::verbatim, .figures = {{"text", std::string("{old} words")}}}),
             "{old} words");
 }

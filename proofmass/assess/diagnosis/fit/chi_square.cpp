@@ -21,7 +21,11 @@ constexpr double kDoubt = 4.5;              // standard errors of the ratio
 constexpr double kFar = 0.1;                // of the ratio from one
 constexpr double kMedianEfficiency = 0.37;  // of the scale by the median of normal residuals
 constexpr double kAlike = 1.01;             // greatest over least uncertainty of rows that all weigh alike
-constexpr double kInputsMatter = 0.25;      // of the residuals' variance
+constexpr double kUneven = 4.0;  // of chi² per degree of freedom between rows with large and small sigma
+constexpr double kUnlikelyUneven = 1e-6;
+constexpr double kOtherSigma = 2.0;        // greatest over least uncertainty, for rows to be compared
+constexpr std::size_t kLeastOfEither = 5;  // rows, beside those that the terms take
+constexpr double kInputsMatter = 0.25;     // of the residuals' variance
 
 // The variance that the inputs' uncertainties give each output; empty where the record has none.
 std::vector<double> variance_from_inputs(const Dataset& record, const StaticModel& model) {
@@ -51,6 +55,55 @@ std::vector<double> scaled_residuals(const FittedRows& rows, const std::vector<d
   return scaled;
 }
 
+// Where the rows in the order of their uncertainty are divided: at the widest step in it, or in the middle
+// where there is none that is wide.
+std::size_t divided_at(const std::vector<double>& ascending) {
+  std::size_t widest = ascending.size() / 2;
+  double ratio = kOtherSigma;
+  for (std::size_t k = 1; k < ascending.size(); ++k) {
+    if (ascending[k] <= ratio * ascending[k - 1]) continue;
+    ratio = ascending[k] / ascending[k - 1];
+    widest = k;
+  }
+  return widest;
+}
+
+// Whether rows with large uncertainties and rows with small ones scatter by the same multiple of them. The
+// terms go by the rows with small ones, and take up as many of their degrees of freedom.
+std::optional<Finding> find_uneven_sigma(const std::vector<double>& sigma, const std::vector<double>& scaled,
+                                         std::size_t terms, const Unit& unit) {
+  std::vector<std::size_t> order(sigma.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sigma[a] < sigma[b]; });
+  std::vector<double> ascending;
+  ascending.reserve(sigma.size());
+  for (const std::size_t row : order) ascending.push_back(sigma[row]);
+  const std::size_t small = divided_at(ascending);
+  const std::size_t large = order.size() - small;
+  if (ascending.back() < kOtherSigma * ascending.front() || small < terms + kLeastOfEither ||
+      large < kLeastOfEither)
+    return std::nullopt;
+  double of_small = 0.0;
+  double of_large = 0.0;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    (k < small ? of_small : of_large) += scaled[order[k]] * scaled[order[k]];
+  const auto small_dof = static_cast<double>(small - terms);
+  const auto large_dof = static_cast<double>(large);
+  of_small /= small_dof;
+  of_large /= large_dof;
+  const double ratio = of_small / of_large;
+  const double unlikely = ratio > 1.0 ? fisher_probability(ratio, small_dof, large_dof)
+                                      : fisher_probability(1.0 / ratio, large_dof, small_dof);
+  if ((ratio < kUneven && ratio * kUneven > 1.0) || unlikely > kUnlikelyUneven) return std::nullopt;
+  return Finding{.code = Code::sigma_output_uneven,
+                 .severity = Severity::warning,
+                 .figures = {{"count", large},
+                             {"limit", ascending[small] / std::abs(unit.to_canonical)},
+                             {"unit", unit.symbol},
+                             {"large", std::sqrt(of_large)},
+                             {"small", std::sqrt(of_small)}}};
+}
+
 std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Identification& result,
                                                const std::vector<double>& from_inputs) {
   const Dataset& record = rows.record();
@@ -64,6 +117,10 @@ std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Ide
   const bool robust = std::holds_alternative<RobustDetails>(result.details);
   const std::vector<double> scaled =
       scaled_residuals(rows, sigma, robust ? rows.weights() : std::span<const double>());
+  if (!robust) {
+    if (auto uneven = find_uneven_sigma(sigma, scaled, rows.basis().columns(), record.output_unit))
+      return uneven;
+  }
   const auto fitted = static_cast<double>(result.diagnostics.dof.value_or(rows.dof()));
   const double n = result.train ? static_cast<double>(result.train->n) : static_cast<double>(rows.rows());
   const double dof = static_cast<double>(rows.rows()) * std::min(1.0, fitted / n);
@@ -95,23 +152,17 @@ std::optional<Finding> find_unused_input_sigma(const FittedRows& rows, const Ide
                  .figures = {{"method", result.method}, {"percent", 100.0 * std::min(1.0, fraction)}}};
 }
 
-bool takes_inputs_for_uncertain(const Identification& result) {
-  return std::any_of(result.findings.begin(), result.findings.end(), [](const Finding& finding) {
-    return finding.code == Code::uncertainties_taken || finding.code == Code::uncertainties_scaled;
-  });
-}
-
 }  // namespace
 
 std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identification& result,
-                                       bool inputs_sigma_used) {
+                                       bool input_columns_used) {
   std::vector<Finding> findings;
   const std::vector<double> from_inputs = variance_from_inputs(rows.record(), result.static_model());
   // Where the method has the inputs' uncertainties from its options, the record does not tell the variance.
-  const bool known = !takes_inputs_for_uncertain(result) || !from_inputs.empty();
+  const bool known = !rows.inputs_uncertain() || !from_inputs.empty();
   if (auto found = !known ? std::nullopt : find_wrong_output_sigma(rows, result, from_inputs))
     findings.push_back(std::move(*found));
-  if (!inputs_sigma_used) {
+  if (!input_columns_used) {
     if (auto found = find_unused_input_sigma(rows, result, from_inputs))
       findings.push_back(std::move(*found));
   }

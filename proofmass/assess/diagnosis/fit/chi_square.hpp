@@ -9,9 +9,10 @@
 namespace proofmass {
 
 // Says when the residuals are larger or smaller than the record's sigma_E (with the inputs' uncertainties
-// where it has them) leads to expect, by chi² per degree of freedom, and how much of the residuals the
-// uncertainties of the inputs explain where the method takes no account of them.
+// where it has them) leads to expect, by chi² per degree of freedom of all rows, or of those with large and
+// small sigma_E apart; and how much of the residuals the uncertainties of the inputs explain where the method
+// does not go by their columns.
 [[nodiscard]] std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identification& result,
-                                                     bool inputs_sigma_used);
+                                                     bool input_columns_used);
 
 }  // namespace proofmass

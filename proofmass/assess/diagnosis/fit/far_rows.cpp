@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "proofmass/assess/diagnosis/fit/robust_residuals.hpp"
+#include "proofmass/assess/diagnosis/record/term_space.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
 #include "proofmass/numeric/linear/rank_analysis.hpp"
 #include "proofmass/numeric/regression/robust_loss.hpp"
@@ -18,8 +21,10 @@ namespace {
 // Standard errors, or robust scales: the noise of rows may differ by a factor of ten.
 constexpr double kFarRow = 15.0;
 constexpr double kUnlikelyRow = 1e-6;  // of the farthest row of a record
-constexpr double kTrimmed = 3.5;       // robust scales, beyond which a row does not count for a trimmed fit
-constexpr double kWorthATrim = 0.01;   // of the rows, beyond that: ten times what normal noise has
+constexpr double kMasked = 8.0;   // robust scales, that the residuals' deviation is at least: few rows beside
+                                  // the terms make the robust scale too small
+constexpr double kTrimmed = 3.5;  // robust scales, beyond which a row does not count for a trimmed fit
+constexpr double kWorthATrim = 0.01;  // of the rows, beyond that: ten times what normal noise has
 constexpr int kTrims = 6;
 constexpr double kSettled = 0.9;  // of the scale before
 constexpr double kFewDof = 30.0;
@@ -28,8 +33,12 @@ constexpr double kLeastVariance =
 
 // One residual a row, as if all had one variance.
 struct AlikeResiduals {
+  std::vector<double> residuals;
   std::vector<double> values;
   double scale = 0.0;
+  [[nodiscard]] double deviation() const {
+    return std::sqrt(sum_of_squares(values) / static_cast<double>(values.size()));
+  }
 };
 
 // What the fit leaves of the variance of each row's noise, and that variance, relative to one another.
@@ -87,12 +96,11 @@ RowNoise noise_of(const FittedRows& rows) {
 }
 
 // Residuals as if all had one variance.
-AlikeResiduals alike_residuals(const FittedRows& rows, const RowNoise& noise,
-                               const std::vector<double>& residuals) {
-  AlikeResiduals alike{.values = std::vector<double>(rows.rows(), 0.0)};
+AlikeResiduals alike_residuals(const FittedRows& rows, const RowNoise& noise, std::vector<double> residuals) {
+  AlikeResiduals alike{.residuals = std::move(residuals), .values = std::vector<double>(rows.rows(), 0.0)};
   const double least = kLeastVariance * *std::max_element(noise.left.begin(), noise.left.end());
   for (std::size_t row = 0; row < alike.values.size(); ++row) {
-    if (noise.left[row] > least) alike.values[row] = residuals[row] / std::sqrt(noise.left[row]);
+    if (noise.left[row] > least) alike.values[row] = alike.residuals[row] / std::sqrt(noise.left[row]);
   }
   alike.scale = median_scale(alike.values, rows.basis().columns());
   return alike;
@@ -142,37 +150,59 @@ bool is_far_alone(double alike, double squares, const FittedRows& rows) {
          student_probability(errors, dof - 1.0) * static_cast<double>(rows.rows()) < kUnlikelyRow;
 }
 
+std::vector<std::size_t> far_rows_of(const FittedRows& rows, const RowNoise& noise, const AlikeResiduals& own,
+                                     const AlikeResiduals& robust) {
+  double squares = 0.0;
+  for (std::size_t row = 0; row < own.values.size(); ++row)
+    squares += own.values[row] * own.values[row] * noise.left[row] / noise.variance[row];
+  // The scale of few rows is uncertain, the more so when the farthest of them are left out of it.
+  const double limit = kFarRow * (1.0 + kFewDof / static_cast<double>(rows.dof()));
+  std::vector<std::size_t> far;
+  for (std::size_t row = 0; row < own.values.size(); ++row) {
+    const bool beyond = std::abs(robust.values[row]) > limit * robust.scale;
+    if (beyond || is_far_alone(own.values[row], squares, rows)) far.push_back(row);
+  }
+  return far;
+}
+
+Finding finding_of(const FittedRows& rows, const std::vector<std::size_t>& far,
+                   const AlikeResiduals& robust) {
+  const std::size_t farthest = *std::max_element(far.begin(), far.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(robust.values[a]) < std::abs(robust.values[b]);
+  });
+  const double scale = rows.weights().empty() ? std::min(robust.scale, rows.scale()) : rows.scale();
+  const Unit& unit = rows.record().output_unit;
+  return {.code = Code::rows_far_off,
+          .severity = Severity::warning,
+          .lines = rows.record().lines_of(far),
+          .figures = {{"count", far.size()},
+                      {"line", rows.record().line_of(farthest)},
+                      {"residual", robust.residuals[farthest] / unit.to_canonical},
+                      {"scale", scale / std::abs(unit.to_canonical)},
+                      {"unit", unit.symbol}}};
+}
+
 }  // namespace
 
 std::optional<Finding> find_far_rows(const FittedRows& rows, const Identification& result) {
   if (std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
   const RowNoise noise = noise_of(rows);
   const AlikeResiduals own = alike_residuals(rows, noise, {rows.residuals().begin(), rows.residuals().end()});
-  const std::vector<double>& alike = own.values;
   const AlikeResiduals robust = without_outliers(rows, noise, own);
-  double squares = 0.0;
-  for (std::size_t row = 0; row < alike.size(); ++row)
-    squares += alike[row] * alike[row] * noise.left[row] / noise.variance[row];
-  // The scale of few rows is uncertain, the more so when the farthest of them are left out of it.
-  const double limit = kFarRow * (1.0 + kFewDof / static_cast<double>(rows.dof()));
-  std::vector<std::size_t> far;
-  std::size_t farthest = 0;
-  for (std::size_t row = 0; row < alike.size(); ++row) {
-    if (std::abs(alike[row]) > std::abs(alike[farthest])) farthest = row;
-    const bool beyond = std::abs(robust.values[row]) > limit * robust.scale;
-    if (beyond || is_far_alone(alike[row], squares, rows)) far.push_back(row);
-  }
-  if (far.empty()) return std::nullopt;
-  const double scale = rows.weights().empty() ? std::min(robust.scale, rows.scale()) : rows.scale();
-  const Unit& unit = rows.record().output_unit;
-  return Finding{.code = Code::rows_far_off,
-                 .severity = Severity::warning,
-                 .lines = rows.record().lines_of(far),
-                 .figures = {{"count", far.size()},
-                             {"line", rows.record().line_of(farthest)},
-                             {"residual", rows.residuals()[farthest] / unit.to_canonical},
-                             {"scale", scale / std::abs(unit.to_canonical)},
-                             {"unit", unit.symbol}}};
+  const std::vector<std::size_t> far = far_rows_of(rows, noise, own, robust);
+  return far.empty() ? std::nullopt : std::optional(finding_of(rows, far, robust));
+}
+
+std::optional<Finding> find_masked_rows(const FittedRows& rows, const Identification& result) {
+  if (std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
+  auto left = robust_residuals(rows);
+  if (!left) return std::nullopt;
+  const RowNoise noise = noise_of(rows);
+  const AlikeResiduals own = alike_residuals(rows, noise, {rows.residuals().begin(), rows.residuals().end()});
+  const AlikeResiduals robust = alike_residuals(rows, noise, std::move(*left));
+  if (own.deviation() < kMasked * robust.scale) return std::nullopt;
+  const std::vector<std::size_t> far = far_rows_of(rows, noise, robust, robust);
+  return far.empty() ? std::nullopt : std::optional(finding_of(rows, far, robust));
 }
 
 }  // namespace proofmass

@@ -13,4 +13,7 @@ namespace proofmass {
 // suspect.
 [[nodiscard]] std::optional<Finding> find_far_rows(const FittedRows& rows, const Identification& result);
 
+// The same from a robust fit: so many that they hide each other in the residuals of any other.
+[[nodiscard]] std::optional<Finding> find_masked_rows(const FittedRows& rows, const Identification& result);
+
 }  // namespace proofmass

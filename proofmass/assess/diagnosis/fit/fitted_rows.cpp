@@ -67,11 +67,12 @@ double fisher_probability(double ratio, double numerator, double denominator) {
 }
 
 FittedRows::FittedRows(const Dataset& record, std::span<const std::size_t> training,
-                       const Identification& result)
+                       const Identification& result, bool inputs_uncertain)
     : record_(record.select(some_of(training))),
       residuals_(record_.output),
       basis_(orthonormal_rows(record_, identified_terms(result))),
-      rounding_(rounding_of(record_)) {
+      rounding_(rounding_of(record_)),
+      inputs_uncertain_(inputs_uncertain) {
   const std::vector<double>& weights = result.row_weights.values;
   for (const std::size_t row : thinned_rows(weights.size())) weights_.push_back(weights[row]);
   if (weights_.size() != residuals_.size()) weights_.clear();

@@ -21,7 +21,9 @@ struct Departure {
 // the space of its terms over them.
 class FittedRows {
  public:
-  FittedRows(const Dataset& record, std::span<const std::size_t> training, const Identification& result);
+  // `inputs_uncertain`: whether the method takes the inputs for uncertain.
+  FittedRows(const Dataset& record, std::span<const std::size_t> training, const Identification& result,
+             bool inputs_uncertain);
 
   [[nodiscard]] const Dataset& record() const noexcept { return record_; }
   [[nodiscard]] std::span<const double> residuals() const noexcept { return residuals_; }
@@ -34,6 +36,7 @@ class FittedRows {
   [[nodiscard]] bool has_noise() const noexcept { return has_noise_; }
   // Rows whose columns are orthonormal and span the terms of the fit: rows() x terms.
   [[nodiscard]] const Matrix& basis() const noexcept { return basis_; }
+  [[nodiscard]] bool inputs_uncertain() const noexcept { return inputs_uncertain_; }
   // One a row, of the method's noise model: the larger the less noise; empty where all rows count alike.
   [[nodiscard]] std::span<const double> weights() const noexcept { return weights_; }
   // Of the terms of the fit, one a row: the diagonal of the hat matrix.
@@ -65,6 +68,7 @@ class FittedRows {
   double scale_ = 0.0;
   double rounding_ = 0.0;
   bool has_noise_ = false;
+  bool inputs_uncertain_ = false;
 };
 
 // The residuals over their scale, held within 2.5: what a test for patterns looks at lest outliers decide it.

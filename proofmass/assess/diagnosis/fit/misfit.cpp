@@ -3,6 +3,7 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "proofmass/assess/diagnosis/fit/likely_reason.hpp"
 
@@ -17,13 +18,13 @@ constexpr double kUnrelated = 0.1;
 std::optional<Finding> find_misfit(const FittedRows& rows, const Identification& result) {
   if (!result.train || !result.train->r2 || *result.train->r2 >= kGross) return std::nullopt;
   const double r2 = *result.train->r2;
-  Reason reason = likely_reason(rows, 1.0 - kGross);
-  if (reason.name.empty()) reason.name = r2 < kUnrelated ? "unrelated" : "unknown";
-  return Finding{
-      .code = Code::gross_misfit,
-      .severity = Severity::warning,
-      .figures = {
-          {"r2", r2}, {"limit", kGross}, {"reason", std::move(reason.name)}, {"shift", reason.shift}}};
+  std::string reason = likely_reason(rows, 1.0 - kGross);
+  // Robust does not follow them, and lists them.
+  if (reason == "rows" && std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
+  if (reason.empty()) reason = r2 < kUnrelated ? "unrelated" : "unknown";
+  return Finding{.code = Code::gross_misfit,
+                 .severity = Severity::warning,
+                 .figures = {{"r2", r2}, {"limit", kGross}, {"reason", std::move(reason)}}};
 }
 
 }  // namespace proofmass

@@ -14,7 +14,7 @@ namespace proofmass {
 namespace {
 
 constexpr double kUnlikelyEffect =
-    2.5e-5;  // of all mounts together, in each of two tests of each of two kinds
+    2.5e-5;  // of all mounts together, in each of two tests of each of four kinds
 constexpr std::size_t kLeastMountRows = 3;
 constexpr double kLeastLeft = 0.01;     // of an effect's square: less lies within the terms
 constexpr double kWorthATest = 3.0;     // standard errors, roughly
@@ -22,10 +22,17 @@ constexpr double kPlain = 4.0;          // standard errors, of a mount that is c
 constexpr double kMostJointWork = 1e9;  // operations
 using MountRows = std::vector<std::vector<std::size_t>>;
 
-// What the outputs of a mount have too much of: one (an offset) or Ai (a scale factor), by row.
+// What the outputs of a mount have too much of: one (an offset), Ai (a scale factor), or Ao or Ap (an angle),
+// by row.
 struct Kind {
   Code code = Code::verbatim;
   std::vector<double> shape;
+  Term term = Term::K0;
+};
+
+struct MountEffect {
+  ResidualEffect effect;
+  double probability = 1.0;
 };
 
 struct Effect {
@@ -100,12 +107,24 @@ Finding finding_of(const FittedRows& rows, const Kind& kind, const MountRows& mo
   const bool offset = kind.code == Code::residuals_follow_mount;
   return {.code = kind.code,
           .severity = Severity::warning,
+          .terms = {kind.term},
           .figures = {{"count", std::max<std::size_t>(1, static_cast<std::size_t>(count))},
                       {"total", rows_by_mount(record.mount).size()},
                       {"mount", record.mount[mounts[strongest.mount].front()]},
                       {"mean", strongest.size / record.output_unit.to_canonical},
                       {"unit", record.output_unit.symbol + (offset ? "" : "/g")},
                       {"errors", std::abs(strongest.errors)}}};
+}
+
+std::vector<Kind> kinds_of(const Dataset& record) {
+  std::vector<Kind> kinds{{Code::residuals_follow_mount, std::vector<double>(record.rows(), 1.0), Term::K0}};
+  for (const auto& [axis, term] :
+       {std::pair{Axis::input, Term::Ki}, {Axis::output, Term::Ko}, {Axis::pendulous, Term::Kp}}) {
+    if (!record.has(axis)) continue;
+    const Code code = term == Term::Ki ? Code::scale_factor_follows_mount : Code::alignment_follows_mount;
+    kinds.push_back({code, record.along(axis), term});
+  }
+  return kinds;
 }
 
 std::optional<MountEffect> effect_of_kind(const FittedRows& rows, const Kind& kind, const MountRows& mounts) {
@@ -121,23 +140,24 @@ std::optional<MountEffect> effect_of_kind(const FittedRows& rows, const Kind& ki
   Matrix columns = columns_of(rows, kind, mounts);
   if (columns.columns() > 0) probability = std::min(probability, joint_probability(rows, columns, mounts));
   if (!(probability < kUnlikelyEffect)) return std::nullopt;
-  return MountEffect{.finding = finding_of(rows, kind, mounts, effects, strongest),
-                     .errors = std::abs(strongest.errors),
-                     .probability = probability,
-                     .columns = std::move(columns)};
+  return MountEffect{.effect = {.finding = finding_of(rows, kind, mounts, effects, strongest),
+                                .errors = std::abs(strongest.errors),
+                                .columns = std::move(columns)},
+                     .probability = probability};
 }
 
 }  // namespace
 
-std::optional<MountEffect> find_mount_effect(const FittedRows& rows) {
+std::optional<ResidualEffect> find_mount_effect(const FittedRows& rows) {
   const MountRows mounts = mounts_to_judge(rows.record());
   if (mounts.empty()) return std::nullopt;
-  auto offset =
-      effect_of_kind(rows, {Code::residuals_follow_mount, std::vector<double>(rows.rows(), 1.0)}, mounts);
-  if (!rows.record().has(Axis::input)) return offset;
-  auto slope =
-      effect_of_kind(rows, {Code::scale_factor_follows_mount, rows.record().along(Axis::input)}, mounts);
-  return slope && (!offset || slope->probability < offset->probability) ? slope : offset;
+  std::optional<MountEffect> found;
+  for (const Kind& kind : kinds_of(rows.record())) {
+    auto effect = effect_of_kind(rows, kind, mounts);
+    if (effect && (!found || effect->probability < found->probability)) found = std::move(effect);
+  }
+  if (!found) return std::nullopt;
+  return std::move(found->effect);
 }
 
 }  // namespace proofmass

@@ -4,21 +4,13 @@
 #include <optional>
 
 #include "proofmass/assess/diagnosis/fit/fitted_rows.hpp"
-#include "proofmass/core/finding.hpp"
-#include "proofmass/numeric/matrix.hpp"
+#include "proofmass/assess/diagnosis/fit/residual_effect.hpp"
 
 namespace proofmass {
 
-// Residuals that differ from mount to mount, by an offset or in proportion to Ai.
-struct MountEffect {
-  Finding finding;
-  double errors = 0.0;  // of the strongest, standard errors from zero
-  double probability = 1.0;
-  Matrix columns;  // orthonormal, beyond the terms, one a mount: empty where they are too many
-};
-
-// The more significant of offsets and scale factors that mounts have of their own, and in how many mounts
-// they show. Mounts of fewer than three rows, and effects that the terms take up, are not judged.
-[[nodiscard]] std::optional<MountEffect> find_mount_effect(const FittedRows& rows);
+// Residuals that differ from mount to mount: the most significant of offsets, scale factors and alignments
+// (in proportion to Ao or Ap) that mounts have of their own, and in how many mounts it shows. Mounts of fewer
+// than three rows, and effects that the terms take up, are not judged.
+[[nodiscard]] std::optional<ResidualEffect> find_mount_effect(const FittedRows& rows);
 
 }  // namespace proofmass

@@ -80,7 +80,15 @@ Trend strongest_trend(const FittedRows& rows, const RowColumns& polynomials,
   return strongest;
 }
 
-std::vector<Followed> quantities_of(const Dataset& record) {
+bool is_monotone(const std::vector<double>& values) {
+  return std::is_sorted(values.begin(), values.end()) || std::is_sorted(values.rbegin(), values.rend());
+}
+
+std::vector<Followed> quantities_of(const FittedRows& rows) {
+  const Dataset& record = rows.record();
+  const std::vector<Axis> axes = record.axes();
+  const bool by_input =
+      std::any_of(axes.begin(), axes.end(), [&](Axis axis) { return is_monotone(record.along(axis)); });
   std::vector<Followed> quantities;
   if (!record.time.empty())
     quantities.push_back({record.time, Code::residuals_follow_time, Code::scale_factor_follows_time});
@@ -88,7 +96,10 @@ std::vector<Followed> quantities_of(const Dataset& record) {
     quantities.push_back(
         {record.temperature, Code::residuals_follow_temperature, Code::scale_factor_follows_temperature});
   }
-  if (record.time.empty() || !std::is_sorted(record.time.begin(), record.time.end())) {
+  // The error of an input is part of the place of its row, and of its residual.
+  if (by_input && rows.inputs_uncertain())
+    std::erase_if(quantities, [](const Followed& quantity) { return is_monotone(quantity.values); });
+  if (!by_input && (record.time.empty() || !std::is_sorted(record.time.begin(), record.time.end()))) {
     std::vector<double> order(record.rows());
     std::iota(order.begin(), order.end(), 0.0);
     quantities.push_back({std::move(order), Code::residuals_follow_order, Code::scale_factor_follows_order});
@@ -109,10 +120,10 @@ Finding finding_of(const FittedRows& rows, const Trend& trend, bool of_output) {
 
 }  // namespace
 
-std::optional<ResidualTrend> find_residual_trend(const FittedRows& rows) {
+std::optional<ResidualEffect> find_residual_trend(const FittedRows& rows) {
   Trend trend;
   bool of_output = true;
-  for (const Followed& quantity : quantities_of(rows.record())) {
+  for (const Followed& quantity : quantities_of(rows)) {
     const RowColumns polynomials = polynomials_of(quantity.values);
     const auto consider = [&](const std::vector<double>& factor, Code code, bool output) {
       Trend found = strongest_trend(rows, polynomials, factor, code);
@@ -125,9 +136,9 @@ std::optional<ResidualTrend> find_residual_trend(const FittedRows& rows) {
       consider(rows.record().along(Axis::input), quantity.scale_factor, false);
   }
   if (!(trend.departure.probability < kUnlikelyTrend)) return std::nullopt;
-  return ResidualTrend{.finding = finding_of(rows, trend, of_output),
-                       .errors = std::abs(trend.departure.errors),
-                       .columns = columns_beyond(rows, trend.polynomials, kLeastTrendLeft).orthonormal};
+  return ResidualEffect{.finding = finding_of(rows, trend, of_output),
+                        .errors = std::abs(trend.departure.errors),
+                        .columns = columns_beyond(rows, trend.polynomials, kLeastTrendLeft).orthonormal};
 }
 
 }  // namespace proofmass

@@ -74,10 +74,9 @@ Finding unlike_one(const FittedRows& rows, const Identification& result, double 
     return finding;
   }
   const double unexplained = result.train && result.train->r2 ? 1.0 - *result.train->r2 : 1.0;
-  const Reason reason = likely_reason(rows, unexplained / kMuchCloser);
-  if (!reason.name.empty() && reason.name != "terms") {
-    finding.figures.emplace_back("shift", reason.shift);
-    hint(reason.name);
+  const std::string reason = likely_reason(rows, unexplained / kMuchCloser);
+  if (!reason.empty() && reason != "terms") {
+    hint(reason);
     return finding;
   }
   hint(rows.record().output_unit_declared ? "declared" : "undeclared");

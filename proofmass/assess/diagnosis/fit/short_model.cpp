@@ -11,6 +11,7 @@
 
 #include "proofmass/assess/diagnosis/fit/joint_departure.hpp"
 #include "proofmass/assess/diagnosis/record/term_space.hpp"
+#include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/numeric/linear/least_squares.hpp"
 
 namespace proofmass {
@@ -21,10 +22,6 @@ constexpr double kLeastTermLeft = 1e-6;  // of a regressor's square: less lies w
 constexpr std::size_t kLeastDofBeside = 3;
 constexpr double kLeastErrors = 4.0;  // of a term beside the other missing ones, to be named
 
-bool takes_terms_as_given(const Identification& result) {
-  return !result.network && !std::holds_alternative<GmdhDetails>(result.details);
-}
-
 // Terms that were not asked for and that the rows can tell apart, with what of their regressors is beyond
 // those that were.
 struct Candidates {
@@ -32,14 +29,25 @@ struct Candidates {
   std::vector<std::vector<double>> beyond;
 };
 
+// Those of the terms that were not asked for and that the rows tell apart from those that were.
+TermList identifiable_beside(const Identification& result, const TermList& terms, const Dataset& record) {
+  TermList asked;
+  for (const Coefficient& c : result.coefficients) asked.push_back(c.term);
+  TermList all(asked);
+  all.insert(all.end(), terms.begin(), terms.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  TermList others = analyse_identifiability(record, all).identified;
+  std::erase_if(others,
+                [&asked](Term term) { return std::find(asked.begin(), asked.end(), term) != asked.end(); });
+  return others;
+}
+
 Candidates candidates_of(const FittedRows& rows, const Identification& result, const TermList& terms) {
   Candidates candidates;
   std::vector<std::vector<double>> regressors;
   TermList wanted;
-  for (const Term term : terms) {
-    const bool asked = std::any_of(result.coefficients.begin(), result.coefficients.end(),
-                                   [term](const Coefficient& c) { return c.term == term; });
-    if (asked) continue;
+  for (const Term term : identifiable_beside(result, terms, rows.record())) {
     wanted.push_back(term);
     std::vector<double>& values = regressors.emplace_back(rows.rows());
     for (std::size_t row = 0; row < values.size(); ++row)
@@ -111,6 +119,10 @@ bool is_significant(const FittedRows& rows, const Candidates& candidates) {
 }
 
 }  // namespace
+
+bool takes_terms_as_given(const Identification& result) {
+  return !result.network && !std::holds_alternative<GmdhDetails>(result.details);
+}
 
 std::optional<ShortModel> find_short_model(const FittedRows& rows, const Identification& result) {
   if (!takes_terms_as_given(result)) return std::nullopt;
