@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -68,13 +69,25 @@ Finding zero_finding(Term term, const Dataset& data, const AxisRanges& ranges) {
 constexpr double kNoticeable = 0.01;
 
 // Of the axes that the term uses, in g; of all axes for K0.
-double coarsest_step(Term term, const Dataset& data) {
-  double step = 0.0;
+double largest_of(Term term, const Dataset& data, const std::array<double, 3>& by_axis) {
+  double largest = 0.0;
   for (const Axis axis : data.axes()) {
     if (info(term).uses(axis) || info(term).order() == 0)
-      step = std::max(step, data.acceleration_resolution[static_cast<std::size_t>(axis)]);
+      largest = std::max(largest, by_axis[static_cast<std::size_t>(axis)]);
   }
-  return step;
+  return largest;
+}
+
+// Names what hides the difference: the larger of rounding, whose standard deviation is that of a uniform
+// distribution, and uncertainty.
+Finding hidden_finding(TermList terms, const Dataset& data, const std::array<double, 3>& uncertainties) {
+  const double step = largest_of(terms.front(), data, data.acceleration_resolution);
+  const double sigma = largest_of(terms.front(), data, uncertainties);
+  if (sigma > step / std::sqrt(12.0)) {
+    return {
+        .code = Code::term_hidden_by_uncertainty, .terms = std::move(terms), .figures = {{"sigma", sigma}}};
+  }
+  return {.code = Code::term_hidden_by_rounding, .terms = std::move(terms), .figures = {{"step", step}}};
 }
 
 // The terms other than `term` that the vanishing combination holds.
@@ -89,7 +102,8 @@ TermList support(const std::vector<double>& combination, const TermList& terms, 
 
 // Why the term of column c is not identified, by the combination of columns that vanishes.
 Finding unidentified(std::size_t c, const RankAnalysis& analysis, const std::vector<double>& combination,
-                     const TermList& terms, const Dataset& data, const AxisRanges& ranges) {
+                     const TermList& terms, const Dataset& data, const AxisRanges& ranges,
+                     const std::array<double, 3>& uncertainties) {
   const Term term = terms[c];
   const bool hidden = std::find(analysis.hidden.begin(), analysis.hidden.end(), c) != analysis.hidden.end();
   // Rounding in a combination's elements grows with the condition of the columns it is made of.
@@ -97,11 +111,7 @@ Finding unidentified(std::size_t c, const RankAnalysis& analysis, const std::vec
   TermList aliased = support(combination, terms, term, threshold);
   if (aliased.empty() && !hidden) return zero_finding(term, data, ranges);
   aliased.insert(aliased.begin(), term);
-  if (hidden) {
-    return {.code = Code::term_hidden_by_rounding,
-            .terms = std::move(aliased),
-            .figures = {{"step", coarsest_step(term, data)}}};
-  }
+  if (hidden) return hidden_finding(std::move(aliased), data, uncertainties);
   if (analysis.rank == data.rows())
     return {.code = Code::term_beyond_rows, .terms = std::move(aliased), .figures = {{"rows", data.rows()}}};
   return {.code = Code::term_aliased, .terms = std::move(aliased)};
@@ -189,14 +199,16 @@ Identifiability analyse_identifiability(const Dataset& data, const TermList& ter
   return analyse_identifiability(TermSums(data, terms), terms);
 }
 
-Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms) {
+Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms,
+                                        std::optional<double> input_sigma) {
   const TermList ordered = lower_orders_first(terms);
   const Dataset& data = sums.data();
   const AxisRanges ranges = without_rounding(sums.ranges());
   GramMatrix gram = sums.gram(ordered);
   clear_rounding(gram, ordered, ranges);
-  const auto rounding = rounding_products(data, ordered);
-  const RankAnalysis analysis = rounding ? analyse_rank(gram, *rounding) : analyse_rank(gram);
+  const std::array<double, 3> uncertainties = input_uncertainties(data, input_sigma);
+  const auto errors = input_error_products(data, ordered, uncertainties);
+  const RankAnalysis analysis = errors ? analyse_rank(gram, *errors) : analyse_rank(gram);
 
   Identifiability result{.identified = {},
                          .unidentified = {},
@@ -207,7 +219,7 @@ Identifiability analyse_identifiability(const TermSums& sums, const TermList& te
       result.identified.push_back(ordered[c]);
     } else {
       result.unidentified.push_back(
-          unidentified(c, analysis, analysis.null_space[next++], ordered, data, ranges));
+          unidentified(c, analysis, analysis.null_space[next++], ordered, data, ranges, uncertainties));
     }
   }
   std::sort(result.identified.begin(), result.identified.end());
@@ -215,16 +227,18 @@ Identifiability analyse_identifiability(const TermSums& sums, const TermList& te
   return result;
 }
 
-Identifiability require_identifiable(const Dataset& data, const TermList& terms, RankLossPolicy policy) {
-  return require_identifiable(TermSums(data, terms), policy);
+Identifiability require_identifiable(const Dataset& data, const TermList& terms, RankLossPolicy policy,
+                                     std::optional<double> input_sigma) {
+  return require_identifiable(TermSums(data, terms), policy, input_sigma);
 }
 
-Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy) {
+Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy,
+                                     std::optional<double> input_sigma) {
   if (sums.terms().empty()) throw usage_error("no terms to identify; ask for at least one");
   require_plausible_sizes(sums);
   require_rows(sums.data(), sums.terms());
   require_varying_output(sums);
-  Identifiability found = analyse_identifiability(sums, sums.terms());
+  Identifiability found = analyse_identifiability(sums, sums.terms(), input_sigma);
   const bool refused =
       policy == RankLossPolicy::refuse ? !found.unidentified.empty() : found.identified.empty();
   if (refused) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
@@ -20,21 +21,26 @@ struct Identifiability {
   double condition_raw = 0.0, condition_scaled = 0.0;  // of the identified terms' design matrix
 };
 
-// Which of the terms the record's inputs can tell apart, at the level of rounding: a combination that the
-// rows determine badly counts as identified, and its standard errors say how badly. The outputs play no part.
+// Which of the terms the record's inputs can tell apart, beyond what rounding and the uncertainties of the
+// inputs do: a combination that the rows determine badly counts as identified, and its standard errors say
+// how badly. The outputs play no part.
 [[nodiscard]] Identifiability analyse_identifiability(const Dataset& data, const TermList& terms);
 
-// The same without another look at the rows, for some of the terms summed.
-[[nodiscard]] Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms);
+// The same without another look at the rows, for some of the terms summed. `input_sigma`: standard
+// uncertainty of every input, in g, in place of the record's own.
+[[nodiscard]] Identifiability analyse_identifiability(const TermSums& sums, const TermList& terms,
+                                                      std::optional<double> input_sigma = {});
 
 // The terms to fit. Throws a bad-data Error when the record has fewer rows than terms + 1 (saying how many
 // are needed) or a constant output; a refusal that names every unidentifiable term, and has its finding, when
 // there are some and the policy is refuse, or when no term is left; a usage Error when `terms` is empty.
 [[nodiscard]] Identifiability require_identifiable(const Dataset& data, const TermList& terms,
-                                                   RankLossPolicy policy);
+                                                   RankLossPolicy policy,
+                                                   std::optional<double> input_sigma = {});
 
 // The same for the terms summed, which the caller then fits from the same sums.
-[[nodiscard]] Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy);
+[[nodiscard]] Identifiability require_identifiable(const TermSums& sums, RankLossPolicy policy,
+                                                   std::optional<double> input_sigma = {});
 
 // What to ask for where only these terms are identified; nothing where none is.
 [[nodiscard]] std::vector<Remedy> terms_remedies(const TermList& identified);

@@ -132,6 +132,28 @@ TEST(Identifiability, RoundingTellsNoTermsApart) {
   }
 }
 
+// So must not the noise of measured inputs, which eiv would take for a signal; by columns or by a constant.
+TEST(Identifiability, UncertaintyTellsNoTermsApart) {
+  for (const double sigma : {1e-5, 1e-4, 1e-3}) {
+    Dataset record = make_tumble();
+    RandomStream random(1, stream_id("inputs"));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (double& value : record.acceleration[axis]) value += sigma * random.normal();
+      if (!record.acceleration[axis].empty()) record.acceleration_sigma[axis].assign(record.rows(), sigma);
+    }
+    const TermList terms = parse_terms("K0,Ki,Kii,Ko,Koo");
+    const Identifiability found = analyse_identifiability(record, terms);
+    EXPECT_EQ(join_names(found.identified), "K0, Ki, Kii, Ko") << sigma;
+    const Finding& koo = cause(found, Term::Koo);
+    EXPECT_EQ(koo.code, Code::term_hidden_by_uncertainty);
+    EXPECT_EQ(koo.terms, (TermList{Term::Koo, Term::K0, Term::Kii}));
+    EXPECT_NEAR(std::get<double>(koo.figures.front().value), sigma, 1e-9 * sigma);
+    record.acceleration_sigma = {};
+    EXPECT_EQ(analyse_identifiability(record, terms).identified, terms) << sigma;
+    EXPECT_EQ(analyse_identifiability(TermSums(record, terms), terms, sigma).identified, found.identified);
+  }
+}
+
 // A record that can tell all terms apart still can when it is written with few decimals.
 TEST(Identifiability, RoundingHidesNothingOfARecordWithLevels) {
   const Identifiability found = analyse_identifiability(rounded(test::make_twin(), 3), parse_terms("full"));

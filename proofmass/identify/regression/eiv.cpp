@@ -109,7 +109,8 @@ Identification fit(const Eiv& method, const Dataset& training, const IdentifyOpt
                    Progress& progress) {
   require_in_range(method);
   progress.update(kStage, 0, method.iterations);
-  const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
+  const Identifiability found =
+      require_identifiable(training, options.terms, options.on_rank_loss, method.uncertainty.input);
   const Matrix design = design_matrix(training, found.identified);
   const LeastSquaresFit start = solve_least_squares(design, training.output);
   const Uncertainties sigmas =

@@ -102,7 +102,8 @@ Identification fit(const Tls& method, const Dataset& training, const IdentifyOpt
                    Progress& progress) {
   require_in_range(method);
   progress.update("total least squares", 0, 1);
-  const Identifiability found = require_identifiable(training, options.terms, options.on_rank_loss);
+  const Identifiability found =
+      require_identifiable(training, options.terms, options.on_rank_loss, method.uncertainty.input);
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted before total least squares");
   const TermList& terms = found.identified;
   const Matrix design = design_matrix(training, terms);
