@@ -22,11 +22,11 @@ constexpr double kNearZero = 0.01;            // of an input's range: the noise 
 constexpr std::size_t kMostParts = 9;         // of an input's range
 constexpr std::size_t kDofPerPart = 3;
 
-using Columns = std::vector<std::vector<double>>;
+using ShapeColumns = std::vector<std::vector<double>>;
 
 // The fit as if all of the 21 terms that the rows can tell apart had been asked for.
 FittedRows with_all_terms(const FittedRows& rows) {
-  Columns regressors;
+  ShapeColumns regressors;
   for (const Term term : full_terms()) {
     std::vector<double>& values = regressors.emplace_back(rows.rows());
     for (std::size_t row = 0; row < values.size(); ++row)
@@ -58,11 +58,11 @@ std::vector<double> borders_of(const std::vector<double>& ascending, std::size_t
 }
 
 // One column for each part of the range of the values, one in its rows.
-Columns parts_of(const std::vector<double>& values, std::size_t parts) {
+ShapeColumns parts_of(const std::vector<double>& values, std::size_t parts) {
   std::vector<double> ascending(values);
   std::sort(ascending.begin(), ascending.end());
   const std::vector<double> borders = borders_of(ascending, parts);
-  Columns columns(parts, std::vector<double>(values.size(), 0.0));
+  ShapeColumns columns(parts, std::vector<double>(values.size(), 0.0));
   for (std::size_t row = 0; row < values.size(); ++row) {
     const auto part = std::lower_bound(borders.begin(), borders.end(), values[row]) - borders.begin();
     columns[static_cast<std::size_t>(part)][row] = 1.0;
@@ -92,7 +92,7 @@ struct Shape {
   double slope = 0.0;  // of the residuals, in the output's canonical unit by that of the shape
   double probability = 1.0;
   double explained = 0.0;  // of the residuals' sum of squares
-  Columns columns{};
+  ShapeColumns columns{};
 };
 
 Shape shape_of(const FittedRows& rows, std::string name, std::vector<double> column) {
@@ -120,7 +120,7 @@ Shape shape_of_parts(const FittedRows& rows, const std::vector<double>& values) 
 }
 
 // Whether the residuals follow the columns still when the shape is taken off.
-bool is_all(const FittedRows& rows, const Shape& shape, const Columns& columns) {
+bool is_all(const FittedRows& rows, const Shape& shape, const ShapeColumns& columns) {
   if (shape.columns.empty() || shape.probability > kUnlikelyStructure) return false;
   const FittedRows left =
       rows.with_columns(columns_beyond(rows, shape.columns, kLeastStructureLeft).orthonormal);
@@ -142,7 +142,7 @@ AxisStructure structure_along(const FittedRows& rows, Axis axis) {
   if (!(*greatest > *least)) return found;
   std::array shapes{shape_of(rows, "step", signs_of(values)), shape_of(rows, "slope", sizes_of(values)),
                     shape_of_parts(rows, values)};
-  Columns columns;
+  ShapeColumns columns;
   for (const Shape& shape : shapes) {
     found.probability = std::min(found.probability, shape.probability);
     columns.insert(columns.end(), shape.columns.begin(), shape.columns.end());

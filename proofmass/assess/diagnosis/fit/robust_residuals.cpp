@@ -11,7 +11,6 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kSampledRows = 2000;
 constexpr std::size_t kRowsPerTerm = 5;
 
 }  // namespace

@@ -17,17 +17,16 @@ namespace {
 
 constexpr double kLargestAcceleration = 1e4;  // g; centrifuges for accelerometers end at some hundred
 constexpr double kFarTemperature = 100.0;     // K from the median
-constexpr std::size_t kLeastRows = 8;
-constexpr double kMost = 0.9;  // of the rows, that have one |A|
-constexpr std::size_t kSampledRows = 2000;
-constexpr double kScales = 6.0;        // of |A|, within which rows have the same
-constexpr double kSteps = 2.0;         // of the inputs, likewise
-constexpr double kSame = 1e-9;         // of |A|, likewise where no step is known
-constexpr double kUnlike = 5.0;        // times as far from it
-constexpr double kLeastUnlike = 1e-5;  // of |A|
+constexpr std::size_t kLeastMagnitudes = 8;
+constexpr double kMostRows = 0.9;         // of the rows, that have one |A|
+constexpr double kMagnitudeScales = 6.0;  // of |A|, within which rows have the same
+constexpr double kMagnitudeSteps = 2.0;   // of the inputs, likewise
+constexpr double kSameMagnitude = 1e-9;   // of |A|, likewise where no step is known
+constexpr double kUnlikeMagnitude = 5.0;  // times as far from it
+constexpr double kLeastUnlike = 1e-5;     // of |A|
 constexpr double kOtherLevel = 2.0;  // |A| over the others': the row may be at another level of acceleration
-constexpr double kAgrees = 0.1;      // of the difference in |A|, by which the output may miss
-constexpr std::size_t kFewRows = 2;  // that agree with their outputs, and may be mistyped across Ai
+constexpr double kAgreesWithOutput = 0.1;  // of the difference in |A|, by which the output may miss
+constexpr std::size_t kFewMistyped = 2;    // that agree with their outputs, and may be mistyped across Ai
 
 double magnitude(const Acceleration& a) { return std::sqrt(a.i * a.i + a.o * a.o + a.p * a.p); }
 
@@ -52,10 +51,11 @@ std::optional<CommonMagnitude> common_magnitude(const Dataset& record) {
   for (double& size : off) size -= common.value;
   double step = 0.0;
   for (const double s : record.acceleration_resolution) step = std::max(step, s);
-  const double same = std::max({kScales * median_scale(off, 1), kSteps * step, kSame * common.value});
+  const double same = std::max(
+      {kMagnitudeScales * median_scale(off, 1), kMagnitudeSteps * step, kSameMagnitude * common.value});
   const auto alike = std::count_if(off.begin(), off.end(), [same](double d) { return std::abs(d) <= same; });
-  if (static_cast<double>(alike) < kMost * static_cast<double>(off.size())) return std::nullopt;
-  common.unlike = std::max(kUnlike * same, kLeastUnlike * common.value);
+  if (static_cast<double>(alike) < kMostRows * static_cast<double>(off.size())) return std::nullopt;
+  common.unlike = std::max(kUnlikeMagnitude * same, kLeastUnlike * common.value);
   return common;
 }
 
@@ -87,14 +87,14 @@ void leave_out_levels(const Dataset& record, const CommonMagnitude& common, cons
     const double size = magnitude(record.at(row));
     const double difference = std::abs(others.scale_factor) * std::abs(size - common.value);
     const double missed = std::abs(record.output[row] - others.model.output(record.at(row)));
-    if (missed >= kAgrees * difference) continue;
+    if (missed >= kAgreesWithOutput * difference) continue;
     agreeing.push_back(row);
     const bool is_mistyped_across =
         std::abs(record.along(Axis::input)[row]) <= common.value + common.unlike &&
         size < kOtherLevel * common.value && size * kOtherLevel > common.value;
     at_other_level += is_mistyped_across ? 0 : 1;
   }
-  if (at_other_level == 0 && agreeing.size() <= kFewRows) return;
+  if (at_other_level == 0 && agreeing.size() <= kFewMistyped) return;
   std::erase_if(rows, [&](std::size_t row) {
     return std::find(agreeing.begin(), agreeing.end(), row) != agreeing.end();
   });
@@ -128,7 +128,7 @@ std::vector<std::size_t> rows_of_no_temperature(const Dataset& record) {
 }  // namespace
 
 std::vector<std::size_t> rows_of_unlike_magnitude(const Dataset& record) {
-  if (record.rows() < kLeastRows || record.axes().size() < 2 || !record.has(Axis::input)) return {};
+  if (record.rows() < kLeastMagnitudes || record.axes().size() < 2 || !record.has(Axis::input)) return {};
   const auto common = common_magnitude(record);
   if (!common) return {};
   std::vector<std::size_t> unlike;
@@ -137,7 +137,7 @@ std::vector<std::size_t> rows_of_unlike_magnitude(const Dataset& record) {
     const double off = std::abs(magnitude(record.at(row)) - common->value);
     (off > common->unlike ? unlike : alike).push_back(row);
   }
-  if (unlike.empty() || static_cast<double>(alike.size()) < kMost * static_cast<double>(record.rows()))
+  if (unlike.empty() || static_cast<double>(alike.size()) < kMostRows * static_cast<double>(record.rows()))
     return {};
   unlike = of_no_level(record, unlike, common->unlike);
   leave_out_levels(record, *common, fit_linear(record.select(alike)), unlike);

@@ -15,14 +15,13 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kSampledRows = 2000;
 constexpr std::size_t kLeastSampled = 6;
-constexpr double kExplains = 0.1;         // of the outputs' variance, that another reading may leave
-constexpr double kMuchCloser = 25.0;      // in what is left of the outputs' variance
-constexpr double kCloserAsAngle = 100.0;  // a sine bends as an output does that saturates
-constexpr double kLeastAngle = 90.0;      // degrees, of an axis' range
-constexpr std::size_t kMostShift = 10;    // rows
-constexpr double kSame = 1e-12;           // of the largest output
+constexpr double kExplains = 0.1;              // of the outputs' variance, that another reading may leave
+constexpr double kMuchCloserOtherwise = 25.0;  // in what is left of the outputs' variance
+constexpr double kCloserAsAngle = 100.0;       // a sine bends as an output does that saturates
+constexpr double kLeastAngle = 90.0;           // degrees, of an axis' range
+constexpr std::size_t kMostShift = 10;         // rows
+constexpr double kSameOutput = 1e-12;          // of the largest output
 
 struct AngleUnit {
   const char* symbol;
@@ -42,7 +41,7 @@ std::optional<Finding> find_copy(const Dataset& record) {
   for (const double e : record.output) largest = std::max(largest, std::abs(e));
   for (const Axis axis : record.axes()) {
     const std::vector<double>& a = record.along(axis);
-    const auto differs = [&](double e, double input) { return std::abs(e - input) > kSame * largest; };
+    const auto differs = [&](double e, double input) { return std::abs(e - input) > kSameOutput * largest; };
     if (!std::equal(record.output.begin(), record.output.end(), a.begin(),
                     [&](double e, double input) { return !differs(e, input); }))
       continue;
@@ -118,7 +117,7 @@ std::optional<Finding> find_shift(const Dataset& record, const std::vector<std::
   for (std::ptrdiff_t shift = -most; shift <= most; ++shift) {
     if (shift == 0) continue;
     const Shifted shifted = with_shift(record, sample, shift);
-    if (shifted.left >= least || shifted.left * kMuchCloser > shifted.unshifted) continue;
+    if (shifted.left >= least || shifted.left * kMuchCloserOtherwise > shifted.unshifted) continue;
     least = shifted.left;
     found = shift;
   }
@@ -137,7 +136,7 @@ std::optional<Finding> find_lost_sign(const Dataset& rows, double unexplained) {
   for (std::size_t row = 0; row < a.size(); ++row)
     with_sign.output[row] = std::copysign(rows.output[row], a[row]);
   const double left = unexplained_by_linear_terms(with_sign);
-  if (left > kExplains || left * kMuchCloser > unexplained) return std::nullopt;
+  if (left > kExplains || left * kMuchCloserOtherwise > unexplained) return std::nullopt;
   return Finding{.code = Code::output_unsigned, .severity = Severity::warning};
 }
 

@@ -8,6 +8,8 @@ namespace proofmass {
 
 // Rows that a search for patterns looks at: what shows in none of so many does not matter.
 inline constexpr std::size_t kMostDiagnosedRows = 50'000;
+// Enough for what nearly all rows show.
+inline constexpr std::size_t kSampledRows = 2000;
 
 // The numbers 0 … rows - 1, or `most` of them, ascending: one of each equal stretch, at a place drawn for the
 // stretch (always the same), so that set-ups that repeat are not met in step.
