@@ -11,6 +11,7 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/network/hybrid_network.hpp"
@@ -40,7 +41,9 @@ bool is_rounding(double rss, const Dataset& training) {
 struct Search {
   std::optional<HybridFit> best;
   std::vector<double> criterion;
-  std::size_t chosen = 0;
+  std::vector<Cause> training;  // why the training of each network ended, from one unit
+  std::size_t chosen = 0;       // units by the criterion
+  bool falls_at_limit = false;  // the most units allowed have the least criterion
   HybridValidation validation;
   std::size_t epochs = 0;
   std::size_t evaluations = 0;  // of the swarms' fitness
@@ -61,6 +64,7 @@ Search search(const Hybrid& method, const Dataset& training, const TermList& ter
     found.epochs += fit.epochs;
     found.evaluations += fit.evaluations;
     found.criterion.push_back(information_criterion(fit.rss, fit.parameters, training.rows()));
+    found.training.push_back(fit.training.cause);
     if (found.criterion.back() < least) {
       least = found.criterion.back();
       found.best = std::move(fit);
@@ -69,6 +73,8 @@ Search search(const Hybrid& method, const Dataset& training, const TermList& ter
       ++failures;
     }
   }
+  found.chosen = found.best ? found.best->network.hidden : 0;
+  found.falls_at_limit = found.chosen > 0 && found.chosen == method.most_hidden;
   return found;
 }
 
@@ -77,7 +83,6 @@ Search search(const Hybrid& method, const Dataset& training, const TermList& ter
 void cross_validate(Search& found, const Hybrid& method, const Dataset& training, const TermList& terms,
                     std::uint64_t seed, Progress& progress) {
   if (!found.best) return;
-  found.chosen = found.best->network.hidden;
   found.validation = validate_hybrid(method, training, terms, found.chosen, seed, progress);
   found.epochs += found.validation.epochs;
   found.evaluations += found.validation.evaluations;
@@ -85,19 +90,44 @@ void cross_validate(Search& found, const Hybrid& method, const Dataset& training
 }
 
 std::string describe(const HybridValidation& validation, bool kept) {
-  if (validation.rows == 0) return "; dropped, for too few rows to cross-validate them";
-  return fmt::format("; {} by cross-validation: rms error at rows left out {:.5g} times that without",
-                     kept ? "kept" : "dropped", validation.rmse_with / validation.rmse_without);
+  if (validation.rows == 0) return "; the network is dropped: too few rows for a cross-validation";
+  return fmt::format(
+      "; cross-validation {} the network: rms error at rows left out {:.5g} times that without",
+      kept ? "keeps" : "drops", validation.rmse_with / validation.rmse_without);
 }
 
-std::string describe(const Search& found) {
+// "1, 2": the units of the networks whose training used all epochs.
+std::string unfinished_sizes(const std::vector<Cause>& training) {
+  std::string sizes;
+  for (std::size_t k = 0; k < training.size(); ++k) {
+    if (training[k] != Cause::iteration_limit) continue;
+    sizes += fmt::format("{}{}", sizes.empty() ? "" : ", ", k + 1);
+  }
+  return sizes;
+}
+
+std::string describe(const Search& found, const Hybrid& method) {
   std::string tried;
   for (std::size_t h = 0; h < found.criterion.size(); ++h) {
-    tried += fmt::format("{}{}: {:.1f}", h == 0 ? "" : ", ", h, found.criterion[h] - found.criterion.front());
+    tried += fmt::format("{}{} {:.1f}", h == 0 ? "" : ", ", amount_text(h, "unit"),
+                         found.criterion[h] - found.criterion.front());
   }
-  return fmt::format("{} by the Bayesian information criterion (relative to none: {}){}",
-                     amount_text(found.chosen, "hidden unit"), tried,
-                     found.chosen > 0 ? describe(found.validation, found.best.has_value()) : "");
+  std::string text =
+      fmt::format("the Bayesian information criterion, less that without a network: {}; it is least with {}",
+                  tried, amount_text(found.chosen, "hidden unit"));
+  if (found.falls_at_limit) text += ", the most allowed, and more might lower it further";
+  if (found.chosen > 0) text += describe(found.validation, found.best.has_value());
+  if (const std::string sizes = unfinished_sizes(found.training); !sizes.empty()) {
+    text += fmt::format("; training used all of its {} with {} hidden unit{}",
+                        amount_text(method.epochs, "epoch"), sizes, sizes == "1" ? "" : "s");
+  }
+  return text;
+}
+
+// A search that found nothing better than no hidden unit has converged.
+Cause cause_of_end(const Search& found) {
+  if (found.falls_at_limit) return Cause::iteration_limit;
+  return found.chosen > 0 ? found.training[found.chosen - 1] : Cause::converged;
 }
 
 void add_network(Identification& result, Search& found, const Dataset& training) {
@@ -141,7 +171,7 @@ Identification fit(const Hybrid& method, const Dataset& unordered, const Identif
   result.details = std::move(details);
   const std::size_t iterations = found.epochs + found.evaluations;
   if (iterations > 0) result.diagnostics.iterations = iterations;
-  result.ending = {EndingStatus::converged, describe(found)};
+  result.ending = ending_of(cause_of_end(found), describe(found, method));
   result.history.push_back({"information_criterion", found.criterion});
   result.findings.push_back({.code = Code::hidden_choice_ignored});
   if (found.best) add_network(result, found, training);

@@ -9,6 +9,7 @@
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/progress.hpp"
 #include "proofmass/identify/network/hybrid.hpp"
+#include "proofmass/numeric/optimise/termination.hpp"
 
 namespace proofmass {
 
@@ -21,6 +22,7 @@ struct HybridFit {
   std::size_t evaluations = 0;  // of the swarm's fitness
   std::vector<double> curve;    // training rmse of the candidate kept, scaled output
   std::vector<double> swarm;    // best fitness of the swarm, likewise
+  Termination training;         // of the candidate kept
 };
 
 // The best fit with `hidden` >= 1 tanh units beside the terms (K0 among them, played by the network's bias).

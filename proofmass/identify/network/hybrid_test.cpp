@@ -78,7 +78,7 @@ TEST(Hybrid, DoesNotFollowOutliers) {
     const Identification hybrid =
         identify(twin("twin-heavy-tails.toml", seed), Hybrid{}, full_model(seed)).identification;
     EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
-    if (hybrid.ending.reason.find("dropped by cross-validation") != std::string::npos) ++dropped;
+    if (hybrid.ending.reason.find("cross-validation drops the network") != std::string::npos) ++dropped;
   }
   EXPECT_GT(dropped, 0U);
 }
@@ -95,6 +95,38 @@ TEST(Hybrid, DoesNotTakeErrorsOfRepeatedSetUpsForStructure) {
   for (double& output : record.output) output += 1e-7 * random.normal();
   const Identification hybrid = fit(Hybrid{}, record, {.terms = parse_terms("paper")}, progress);
   EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
+}
+
+TEST(Hybrid, SaysWhatEndedTheSearch) {
+  SilentProgress progress;
+  const Dataset record = twin("twin-unmodelled.toml", 1);
+  const Ending found = fit(Hybrid{}, record, full_model(1), progress).ending;
+  EXPECT_EQ(found.status, EndingStatus::converged) << found.reason;
+  EXPECT_EQ(found.reason.find("the most allowed"), std::string::npos) << found.reason;
+  const Ending cut = fit(Hybrid{.most_hidden = 1}, record, full_model(1), progress).ending;
+  EXPECT_EQ(cut.status, EndingStatus::iteration_limit);
+  EXPECT_TRUE(
+      cut.reason.starts_with("the Bayesian information criterion, less that without a network: "
+                             "0 units 0.0, 1 unit -"))
+      << cut.reason;
+  EXPECT_NE(cut.reason.find("it is least with 1 hidden unit, the most allowed"), std::string::npos)
+      << cut.reason;
+  const Ending short_training = fit(Hybrid{.epochs = 2}, record, full_model(1), progress).ending;
+  EXPECT_EQ(short_training.status, EndingStatus::iteration_limit) << short_training.reason;
+  EXPECT_NE(short_training.reason.find("training used all of its 2 epochs with"), std::string::npos)
+      << short_training.reason;
+}
+
+// The rows decide against a network that its epochs may not have brought to the end: the ending says so.
+TEST(Hybrid, SaysThatTheTrainingOfARejectedNetworkWasCut) {
+  SilentProgress progress;
+  const Dataset record = twin("twin-10ug.toml", 1);
+  const Ending cut = fit(Hybrid{.epochs = 1}, record, full_model(1), progress).ending;
+  EXPECT_EQ(cut.status, EndingStatus::converged) << cut.reason;
+  EXPECT_NE(cut.reason.find("it is least with 0 hidden units; training used all of its 1 epoch with 1, 2 "
+                            "hidden units"),
+            std::string::npos)
+      << cut.reason;
 }
 
 TEST(Hybrid, NeedsTheBias) {

@@ -107,17 +107,11 @@ void add_coefficients(Identification& result, const NetworkTask& task, Extractio
   }
 }
 
-// Variable projection perturbs and polishes a network that comes to rest; where it rests in the end, nothing
-// is left to gain.
 Ending ending_of_training(const TrainingState& best, std::size_t candidates) {
   const std::string effort = fmt::format("{} of the best of {}", amount_text(best.epochs, "epoch"),
                                          amount_text(candidates, "candidate"));
-  const Termination& end = best.termination;
-  if (end.cause != Cause::stalled || !best.rests_at_minimum) {
-    return ending_of(end.cause, fmt::format("{} ({})", end.reason, effort));
-  }
-  return {.status = EndingStatus::converged,
-          .reason = fmt::format("nothing is left to gain: {} ({})", end.reason, effort)};
+  const Termination end = training_end(best);
+  return ending_of(end.cause, fmt::format("{} ({})", end.reason, effort));
 }
 
 // Refuses what is no fit: errors beyond all measure, or a network as it started that explains nothing.

@@ -180,6 +180,12 @@ double NetworkTrainer::merit(const TrainingState& state) const noexcept {
   return std::isnan(rmse) ? std::numeric_limits<double>::infinity() : rmse;
 }
 
+Termination training_end(const TrainingState& state) {
+  const Termination& end = state.termination;
+  if (end.cause != Cause::stalled || !state.rests_at_minimum) return end;
+  return {.cause = Cause::converged, .reason = fmt::format("nothing is left to gain: {}", end.reason)};
+}
+
 std::vector<double> with_solved_output_layer(const PerceptronShape& shape, const Samples& samples,
                                              std::vector<double> hidden_weights, const ColumnBlock& fixed) {
   SeparablePerceptron problem(shape, samples, fixed);

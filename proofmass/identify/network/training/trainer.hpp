@@ -82,6 +82,9 @@ class NetworkTrainer {
   const TrainingOptions& options_;
 };
 
+// Why the training of a network ended. One that rests at a minimum has converged: nothing is left to gain.
+[[nodiscard]] Termination training_end(const TrainingState& state);
+
 // Output weights that fit the samples best with the hidden weights given, appended to them; then those of the
 // further columns.
 [[nodiscard]] std::vector<double> with_solved_output_layer(const PerceptronShape& shape,
