@@ -86,13 +86,17 @@ void set(Options& options, const std::string& name, const std::string& text) {
 
 }  // namespace
 
-CLI::Option* IdentifyFlags::add_given(CLI::App& verb, const std::string& name, const std::string& help,
-                                      const std::string& type, const std::string& group) {
+void IdentifyFlags::add_given(CLI::App& verb, const std::string& name, const std::string& help,
+                              const std::string& type, const std::string& group) {
   const auto take = [this, name](const std::string& text) { given_.emplace_back(name, text); };
-  return verb.add_option_function<std::string>("--" + name, take, help)
-      ->type_name(type)
-      ->group(group)
-      ->take_last();
+  verb.add_option_function<std::string>("--" + name, take, help)->type_name(type)->group(group)->take_last();
+}
+
+void IdentifyFlags::take_terms_from(const std::string& flag, const std::string& text) {
+  if (!model_.empty() && model_flag_ != flag)
+    throw usage_error("--model and --terms both choose the terms: give one of them");
+  model_flag_ = flag;
+  model_ = text;
 }
 
 void IdentifyFlags::add_terms(CLI::App& verb) {
@@ -101,17 +105,16 @@ void IdentifyFlags::add_terms(CLI::App& verb) {
       throw usage_error(
           fmt::format("--model: found '{}', expected one of {}", excerpt(text), list_of(kModelWords)));
     }
-    model_ = text;
+    take_terms_from("model", text);
   };
   const auto take_terms = [this](const std::string& text) {
     if (text.empty()) throw usage_error("--terms: found nothing, expected names of terms, as K0,Ki");
-    model_ = text;
+    take_terms_from("terms", text);
   };
   verb.add_option_function<std::string>("--model", take_model, "Terms of the model: a preset (default paper)")
       ->type_name(list_of(kModelWords, "|"));
   verb.add_option_function<std::string>("--terms", take_terms, "Terms of the model, in place of --model")
-      ->type_name("K0,Ki,...")
-      ->excludes("--model");
+      ->type_name("K0,Ki,...");
 }
 
 void IdentifyFlags::add_common_options(CLI::App& verb) {
@@ -132,10 +135,7 @@ void IdentifyFlags::add_method_options(CLI::App& verb) {
     add_given(verb, std::string(option.info.name), help, option.info.type,
               "Options of " + joined(option.methods));
     // Earlier names are understood and not shown.
-    if (!option.info.former.empty()) {
-      add_given(verb, std::string(option.info.former), "", "", "")
-          ->excludes("--" + std::string(option.info.name));
-    }
+    if (!option.info.former.empty()) add_given(verb, std::string(option.info.former), "", "", "");
   }
 }
 
@@ -166,6 +166,18 @@ IdentifyOptions IdentifyFlags::options() const {
   return options;
 }
 
+void IdentifyFlags::require_one_name() const {
+  const auto is_given = [this](std::string_view name) {
+    return std::any_of(given_.begin(), given_.end(),
+                       [name](const auto& given) { return given.first == name; });
+  };
+  for (const SharedOption& option : shared_options()) {
+    if (option.info.former.empty() || !is_given(option.info.former) || !is_given(option.info.name)) continue;
+    throw usage_error(fmt::format("--{} is the former name of --{}: give one of them", option.info.former,
+                                  option.info.name));
+  }
+}
+
 void IdentifyFlags::require_taken(std::span<const Method> chosen) const {
   std::vector<std::string_view> names;
   for (const Method& method : chosen) names.push_back(info(method).name);
@@ -180,6 +192,7 @@ void IdentifyFlags::require_taken(std::span<const Method> chosen) const {
 std::vector<Method> IdentifyFlags::methods(std::span<const std::string> names) const {
   std::vector<Method> chosen;
   for (const std::string& name : names) chosen.push_back(find_method(name));
+  require_one_name();
   require_taken(chosen);
   const auto apply = [this](Method& method) {
     // Settings of the preset first: what is given besides, before or after it, changes them.

@@ -36,12 +36,17 @@ class IdentifyFlags {
   void add_common_options(CLI::App& verb);
   void add_method_options(CLI::App& verb);
   void add_whole_settings(CLI::App& verb);
-  CLI::Option* add_given(CLI::App& verb, const std::string& name, const std::string& help,
-                         const std::string& type, const std::string& group);
+  void add_given(CLI::App& verb, const std::string& name, const std::string& help, const std::string& type,
+                 const std::string& group);
+  // Throws a usage Error when another flag has chosen the terms.
+  void take_terms_from(const std::string& flag, const std::string& text);
+  // Throws a usage Error when an option is given by its present and its former name.
+  void require_one_name() const;
   void require_taken(std::span<const Method> chosen) const;
 
   std::string method_;
-  std::string model_;  // a preset of terms or their names; empty when not given
+  std::string model_;       // a preset of terms or their names; empty when not given
+  std::string model_flag_;  // that it was given by: "model" or "terms"
   std::vector<std::pair<std::string, std::string>> given_;   // options of methods as name and text
   std::vector<std::pair<std::string, std::string>> common_;  // of all methods, likewise
 };

@@ -43,7 +43,13 @@ TEST_F(Program, ExitsWithTwoOnUsageErrors) {
   expect_failure(proofmass({"identify", record, "--model", "cubic"}), 2, {"--model", "'cubic'", "quadratic"});
   expect_failure(proofmass({"identify", record, "--terms", "K0,Kx"}), 2, {"Kx"});
   expect_failure(proofmass({"identify", record, "--terms", "K0", "--model", "full"}), 2,
-                 {"--terms", "--model"});
+                 {"--model and --terms both choose the terms: give one of them"});
+  expect_failure(proofmass({"compare", record, "--methods", "ols", "--model", "full", "--terms", "K0"}), 2,
+                 {"--model and --terms both choose the terms: give one of them"});
+  expect_failure(proofmass({"identify", record, "--method", "bp", "--perturbations", "2", "--kicks", "1"}), 2,
+                 {"--kicks is the former name of --perturbations: give one of them"});
+  expect_failure(proofmass({"identify", record, "--validation-share", ".1", "--validation-fraction", ".1"}),
+                 2, {"--validation-share is the former name of --validation-fraction: give one of them"});
   expect_failure(proofmass({"identify", record, "--split", "1.5"}), 2, {"--split", "'1.5'", "at most 1"});
   expect_failure(proofmass({"identify", record, "--split", "0.999"}), 2,
                  {"0.999 leaves none of 300 rows to test on", "try: --split 1 or --split 0.996"});
