@@ -30,11 +30,18 @@ std::optional<MetricSpreads> spreads_of(const std::vector<Run>& runs, Part part)
   const auto maybe = [&runs, part](auto member) {
     return spread_over(runs, [part, member](const Identification& run) { return (*(run.*part)).*member; });
   };
+  const auto count = [&runs, part](std::size_t Metrics::*member) {
+    return *spread_over(runs, [part, member](const Identification& run) {
+      return std::optional(static_cast<double>((*(run.*part)).*member));
+    });
+  };
   return MetricSpreads{.mae = *of(&Metrics::mae),
                        .mse = *of(&Metrics::mse),
                        .rmse = *of(&Metrics::rmse),
                        .mape_percent = maybe(&Metrics::mape_percent),
-                       .r2 = maybe(&Metrics::r2)};
+                       .r2 = maybe(&Metrics::r2),
+                       .n = count(&Metrics::n),
+                       .mape_rows = count(&Metrics::mape_rows)};
 }
 
 std::optional<double> ratio_of(const Spread& value, const Spread& reference) {

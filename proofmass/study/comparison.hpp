@@ -25,6 +25,7 @@ struct Spread {
 struct MetricSpreads {
   Spread mae, mse, rmse;
   std::optional<Spread> mape_percent, r2;  // absent when some repeat lacks them
+  Spread n, mape_rows;                     // rows, and those that mape_percent is over
 };
 
 // How far the coefficients are from a known truth, over terms and repeats.

@@ -41,6 +41,21 @@ TEST_F(CompareVerb, PutsEveryMethodSideBySide) {
   }
 }
 
+TEST_F(CompareVerb, SaysOverWhichRowsThePercentageErrorIs) {
+  std::string rows = "Ai,E\n";
+  for (int k = -20; k <= 20; ++k) {
+    rows += std::to_string(k) + "," + std::to_string(1.01 * k + 1e-3 * (k % 3)) + "\n";
+  }
+  const Outcome outcome = proofmass({"compare", write("run.csv", rows), "--methods", "ols,robust", "--terms",
+                                     "K0,Ki", "--split", "1", "--json", at("c.json"), "--wide"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("it is over 40 of 41 training rows"), std::string::npos) << outcome.out;
+  for (const Json& method : read_json("c.json")["methods"]) {
+    EXPECT_EQ(method["train"]["n"]["mean"], 41);
+    EXPECT_EQ(method["train"]["mape_rows"]["mean"], 40);
+  }
+}
+
 TEST_F(CompareVerb, MeasuresTheDistanceFromTheTruth) {
   const std::string record = make_record("2000");
   const std::string truth = PROOFMASS_SOURCE_DIR "/data/twin-10ug.toml";

@@ -22,8 +22,14 @@ Json json_of(const Spread& spread) {
 }
 
 Json json_of(const MetricSpreads& spreads) {
-  Json json{{"mae", json_of(spreads.mae)}, {"mse", json_of(spreads.mse)}, {"rmse", json_of(spreads.rmse)}};
-  if (spreads.mape_percent) json["mape_percent"] = json_of(*spreads.mape_percent);
+  Json json{{"n", json_of(spreads.n)},
+            {"mae", json_of(spreads.mae)},
+            {"mse", json_of(spreads.mse)},
+            {"rmse", json_of(spreads.rmse)}};
+  if (spreads.mape_percent) {
+    json["mape_percent"] = json_of(*spreads.mape_percent);
+    json["mape_rows"] = json_of(spreads.mape_rows);
+  }
   if (spreads.r2) json["r2"] = json_of(*spreads.r2);
   return json;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "proofmass/report/json/comparison.hpp"
+#include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/paper/reproduction_figures_internal.hpp"
 
@@ -130,6 +131,7 @@ std::string table_3(const Reproduction& made) {
       "RMSE | MAPE % | R² | training MSE | iterations | time, s "
       "|\n|---|---|---|---|---|---|---|---|---|---|\n",
       made.unit, made.networks.repeats, significant_text(made.noise_mse, 4));
+  MapeRows mape_rows;
   for (std::size_t k = 0; k < made.networks.contestants.size(); ++k) {
     const Contestant& c = made.networks.contestants[k];
     out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", c.method, paper_mse(k),
@@ -137,7 +139,9 @@ std::string table_3(const Reproduction& made) {
                        significant_text(c.test->rmse.mean, 4), spread_of_optional(c.test->mape_percent, 4),
                        c.test->r2 ? determination_text(c.test->r2->mean) : "-", mse_text(c.train),
                        spread_of_optional(c.iterations, 5), significant_text(c.time.mean, 3));
+    for (const Run& run : c.runs) mape_rows.add("test", run.identification.test);
   }
+  if (const std::string text = mape_rows.text(); !text.empty()) out += fmt::format("\n{}.\n", text);
   return out + "\n";
 }
 

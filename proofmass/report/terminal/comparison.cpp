@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "proofmass/core/text.hpp"
+#include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
@@ -77,6 +78,17 @@ void write_coefficients(TerminalText& out, const Comparison& comparison) {
   out.table(table);
 }
 
+void write_mape_rows(TerminalText& out, const Comparison& comparison) {
+  MapeRows rows;
+  for (const Contestant& c : comparison.contestants) {
+    for (const Run& run : c.runs) {
+      rows.add("training", run.identification.train);
+      rows.add("test", run.identification.test);
+    }
+  }
+  if (const std::string text = rows.text(); !text.empty()) out.line(text);
+}
+
 void write_metrics(TerminalText& out, const Comparison& comparison) {
   TextTable table({"method", "part", "MAE", "MSE", "RMSE", "MAPE %", "R²"});
   for (const Contestant& c : comparison.contestants) {
@@ -91,6 +103,7 @@ void write_metrics(TerminalText& out, const Comparison& comparison) {
   const Unit& unit = comparison.contestants.front().runs.front().identification.output_unit;
   out.heading(fmt::format("Errors, in {}, {}", unit.symbol, amount_text(comparison.repeats, "repeat")));
   out.table(table);
+  write_mape_rows(out, comparison);
 }
 
 void write_costs(TerminalText& out, const Comparison& comparison) {

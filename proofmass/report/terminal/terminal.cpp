@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "proofmass/core/text.hpp"
+#include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/readable_units.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
@@ -76,20 +77,13 @@ void write_coefficients(TerminalText& out, std::span<const Coefficient> coeffici
   }
 }
 
-// Over which rows MAPE is, where it is not over all.
 void write_mape_rows(TerminalText& out, const Identification& result) {
-  std::string parts;
-  const auto add = [&parts](const char* part, const std::optional<Metrics>& m) {
-    if (!m || m->mape_rows == m->n || m->mape_rows == 0) return;
-    parts += fmt::format("{}{} of {} {} rows", parts.empty() ? "" : ", ", m->mape_rows, m->n, part);
-  };
-  add("training", result.train);
-  add("validation", result.validation);
-  add("test", result.test);
-  add("left-out", result.leave_one_out);
-  if (parts.empty()) return;
-  out.line(fmt::format("MAPE leaves out outputs below {:g} % of their range: it is over {}",
-                       100.0 * kMapeFloor, parts));
+  MapeRows rows;
+  rows.add("training", result.train);
+  rows.add("validation", result.validation);
+  rows.add("test", result.test);
+  rows.add("left-out", result.leave_one_out);
+  if (const std::string text = rows.text(); !text.empty()) out.line(text);
 }
 
 void write_metrics(TerminalText& out, const Identification& result) {

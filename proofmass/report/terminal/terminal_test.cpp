@@ -194,6 +194,17 @@ TEST(TerminalComparison, ShowsWhatWasFoundOnTheRecordAndOnEachMethod) {
   }
 }
 
+TEST(TerminalComparison, SaysOverWhichRowsThePercentageErrorIs) {
+  Comparison comparison;
+  comparison.repeats = 2;
+  comparison.contestants = {contestant_named("least", {}), contestant_named("robust", {})};
+  EXPECT_EQ(render_comparison(comparison).find("MAPE leaves out"), std::string::npos);
+  comparison.contestants.back().runs.back().identification.train->mape_rows = 68;
+  EXPECT_NE(line_with(render_comparison(comparison, {.width = 0}), "MAPE leaves out")
+                .find("over 68 to 70 of 70 training rows"),
+            std::string::npos);
+}
+
 TEST(NumberText, ShowsTheDigitsThatMeanSomething) {
   EXPECT_EQ(uncertain_text(0.99997900123, 2.2e-9), "0.9999790012");
   EXPECT_EQ(uncertain_text(1.5, 100.0), "1.50");

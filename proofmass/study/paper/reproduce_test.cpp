@@ -78,6 +78,15 @@ TEST(Reproduce, HasEveryTableAndFigure) {
   }
 }
 
+TEST(Reproduce, SaysOverWhichRowsThePercentageErrorIs) {
+  SilentProgress progress;
+  Reproduction made = reproduce(small_twin(), tiny(), progress);
+  for (Contestant& c : made.networks.contestants) c.runs.front().identification.test->mape_rows = 74;
+  EXPECT_THAT(render_reproduction(made),
+              ::testing::HasSubstr("|\n\nMAPE leaves out outputs below 1 % of their range: it is over 74 of "
+                                   "75 test rows.\n\n## Iterations"));
+}
+
 // The paper's factor of 293 at its cost of 4.5, where training decides and not the noise.
 TEST(Reproduce, TheSwarmGainsWhatThePaperSaysWhereNoiseIsLow) {
   ReproduceOptions budget;

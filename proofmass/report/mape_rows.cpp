@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/report/mape_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proofmass {
+
+void MapeRows::Counts::add(std::size_t count) {
+  least = most == 0 ? count : std::min(least, count);
+  most = std::max(most, count);
+}
+
+void MapeRows::add(std::string_view part, const std::optional<Metrics>& metrics) {
+  if (!metrics || metrics->mape_rows == 0) return;
+  auto known =
+      std::find_if(parts_.begin(), parts_.end(), [part](const Part& other) { return other.name == part; });
+  if (known == parts_.end()) {
+    known = parts_.insert(parts_.end(), Part{.name = std::string(part), .used = {}, .rows = {}});
+  }
+  known->used.add(metrics->mape_rows);
+  known->rows.add(metrics->n);
+  known->leaves_out = known->leaves_out || metrics->mape_rows < metrics->n;
+}
+
+std::string MapeRows::text() const {
+  const auto counted = [](const Counts& counts) {
+    return counts.least == counts.most ? fmt::format("{}", counts.most)
+                                       : fmt::format("{} to {}", counts.least, counts.most);
+  };
+  std::string parts;
+  for (const Part& part : parts_) {
+    if (!part.leaves_out) continue;
+    parts += fmt::format("{}{} of {} {} rows", parts.empty() ? "" : ", ", counted(part.used),
+                         counted(part.rows), part.name);
+  }
+  if (parts.empty()) return {};
+  return fmt::format("MAPE leaves out outputs below {:g} % of their range: it is over {}", 100.0 * kMapeFloor,
+                     parts);
+}
+
+}  // namespace proofmass
