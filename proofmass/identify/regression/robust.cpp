@@ -106,11 +106,18 @@ void add_scale_findings(std::vector<Finding>& findings, const RobustFit& fit, co
     findings.push_back(
         {.code = Code::scale_at_rounding, .figures = {{"scale", fit.scale_floor}, {"unit", unit}}});
   }
-  if (!fit.scale_check.doubtful) return;
-  findings.push_back({.code = Code::scale_doubtful,
-                      .severity = Severity::warning,
-                      .figures = {{"over_shortest_half", fit.scale_check.over_shortest_half},
-                                  {"quantile_ratio", fit.scale_check.quantile_ratio}}});
+  const std::size_t spare = fit.residuals.size() - fit.coefficients.size();
+  if (fit.scale_check.doubtful) {
+    findings.push_back({.code = Code::scale_doubtful,
+                        .severity = Severity::warning,
+                        .figures = {{"over_shortest_half", fit.scale_check.over_shortest_half},
+                                    {"quantile_ratio", fit.scale_check.quantile_ratio}}});
+  } else if (spare < kEnoughSpareRows) {
+    // Said of every short record, sound or not.
+    findings.push_back({.code = Code::scale_doubtful,
+                        .severity = Severity::basis,
+                        .figures = {{"spare", spare}, {"enough", kEnoughSpareRows}}});
+  }
 }
 
 void add_findings(Identification& result, const Dataset& training, const RobustFit& fit, const Robust& method,

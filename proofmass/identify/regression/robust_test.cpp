@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <variant>
+#include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/numeric/random.hpp"
 #include "support/efficiency.hpp"
 #include "support/findings.hpp"
 #include "support/twin.hpp"
@@ -97,6 +99,42 @@ TEST(Robust, RankLossCountsRowsWithWeightOnly) {
   const Identification result = fitted(record, LossKind::bisquare, "linear", RankLossPolicy::drop);
   EXPECT_FALSE(result.coefficients[3].identified);
   EXPECT_NEAR(result.coefficients[1].value, 0.9, 1e-5);
+}
+
+Dataset line_with_noise(std::size_t rows, std::uint64_t seed, double outliers) {
+  Dataset record;
+  RandomStream random(seed);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double a = random.uniform(-10.0, 10.0);
+    record.acceleration[0].push_back(a);
+    const bool outlier = random.uniform(0.0, 1.0) < outliers;
+    record.output.push_back(1e-3 + a + 1e-5 * random.normal() + (outlier ? 1e-2 : 0.0));
+  }
+  return record;
+}
+
+std::vector<Severity> scale_doubts(const Dataset& record) {
+  std::vector<Severity> severities;
+  for (const Finding& finding : fitted(record, LossKind::bisquare, "K0,Ki").findings) {
+    if (finding.code == Code::scale_doubtful) severities.push_back(finding.severity);
+  }
+  return severities;
+}
+
+TEST(Robust, SaysThatTheScaleOfFewRowsCanHardlyBeChecked) {
+  EXPECT_THAT(scale_doubts(line_with_noise(31, 1, 0.0)), ElementsAre(Severity::basis));
+  EXPECT_THAT(scale_doubts(line_with_noise(32, 1, 0.0)), ElementsAre());
+  const Identification result = fitted(line_with_noise(12, 1, 0.0), LossKind::bisquare, "K0,Ki");
+  EXPECT_EQ(test::number(test::finding_of(result, Code::scale_doubtful), "spare"), 10.0);
+  int clean = 0;
+  int spoilt = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const std::vector<Severity> warning{Severity::warning};
+    if (scale_doubts(line_with_noise(30, seed, 0.0)) == warning) ++clean;
+    if (scale_doubts(line_with_noise(30, seed, 0.45)) == warning) ++spoilt;
+  }
+  EXPECT_LE(clean, 3);
+  EXPECT_GE(spoilt, 50);
 }
 
 TEST(Robust, SaysWhatItUsedAndWhatNot) {

@@ -14,13 +14,14 @@ namespace {
 constexpr std::size_t kLeastDistinct = 5;
 constexpr double kOffGrid = 0.02;  // of a step
 constexpr double kRoundingOfGrid = 64.0 * std::numeric_limits<double>::epsilon();
-constexpr std::size_t kLeastSpareRows = 30;
+constexpr std::size_t kLeastSpareRows = 15;
 constexpr int kSpread = 8;  // points that stand for an even spread
 // Of |r| over sigma for normal residuals: the median, and the 60 % quantile.
 constexpr double kNormalMedian = 0.6744897501960817;
 constexpr double kNormalSixty = 0.8416212335729143;
 // Above the largest ratios in 300 records each of normal, t(3) and 10 % outlier residuals, of 25 to 1000
-// rows.
+// rows; with 15 to 29 rows more than 2 to 15 parameters, 0.3 % of 1000 records of normal and t(3) residuals
+// exceed them.
 constexpr double kMostOverShortest = 1.15;
 constexpr double kMostOverShortestTimesRows = 45.0;
 constexpr double kMostQuantileRatio = 1.5;

@@ -15,6 +15,10 @@ namespace proofmass {
 // about it. At least 0.37 steps.
 [[nodiscard]] double grouped_median_scale(std::span<const double> residuals, std::size_t fitted, double step);
 
+// Rows more than parameters with which check_scale finds most records that are nearly half outliers. With
+// fewer, most of them pass.
+inline constexpr std::size_t kEnoughSpareRows = 30;
+
 // How far other estimates of the residuals' scale lie from a median_scale, above one when it is doubtful.
 struct ScaleCheck {
   // The scale over that of the shortest interval with half of the residuals (Rousseeuw & Leroy, Robust
@@ -30,7 +34,7 @@ struct ScaleCheck {
 };
 
 // `fitted` parameters came from the same rows. Residuals are certain to one `resolution` only, so that much
-// counts for no disagreement. Never doubtful with less than 30 rows more than parameters.
+// counts for no disagreement. Never doubtful with less than 15 rows more than parameters.
 [[nodiscard]] ScaleCheck check_scale(std::span<const double> residuals, std::size_t fitted, double scale,
                                      double resolution);
 

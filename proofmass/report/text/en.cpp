@@ -288,6 +288,13 @@ std::string_view sentence(Code code) noexcept {
   return "";
 }
 
+// Of a scale that nothing speaks against, on too few rows to know.
+constexpr std::string_view kScaleOfFewRows =
+    "the robust scale can hardly be checked with {spare:.0f} {spare:?row|rows} more than terms: if many rows "
+    "are "
+    "outliers, the fit, its standard errors and the list of suspect rows may be wrong without a warning. "
+    "Measure at least {enough:.0f} rows more than terms";
+
 // Words of a finding that are names of a choice.
 std::string_view phrase(std::string_view figure, std::string_view word) noexcept {
   if (figure == "criterion") {
@@ -306,7 +313,8 @@ std::string_view phrase(std::string_view figure, std::string_view word) noexcept
 }  // namespace
 
 std::string english(const Finding& finding) {
-  const std::string_view words = sentence(finding.code);
+  const bool few_rows = finding.code == Code::scale_doubtful && has_figure(finding, "spare");
+  const std::string_view words = few_rows ? kScaleOfFewRows : sentence(finding.code);
   if (!words.empty()) return filled(words, finding, phrase);
   std::string text = join_names({finding.terms.begin(), finding.terms.begin() + !finding.terms.empty()}) +
                      " is not identified: " + english_reason(finding);
