@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "proofmass/core/run.hpp"
+#include "proofmass/identify/options/method_info.hpp"
 
 namespace proofmass {
 
 // How a record is divided.
 struct SplitOptions {
-  double training_fraction = 0.7;    // of all rows; 1 fits all rows and leaves the test part empty
+  double training_fraction =
+      kTrainingFraction;             // of all rows; 1 fits all rows and leaves the test part empty
   double validation_fraction = 0.0;  // of all rows, taken from the training rows
 };
 

@@ -13,6 +13,7 @@
 #include "initial_swarm.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/method_options.hpp"
+#include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/options/field_text.hpp"
 
 namespace proofmass::cli {
@@ -111,7 +112,9 @@ void IdentifyFlags::add_terms(CLI::App& verb) {
     if (text.empty()) throw usage_error("--terms: found nothing, expected names of terms, as K0,Ki");
     take_terms_from("terms", text);
   };
-  verb.add_option_function<std::string>("--model", take_model, "Terms of the model: a preset (default paper)")
+  verb.add_option_function<std::string>(
+          "--model", take_model,
+          "Terms of the model: a preset" + default_text(model_name(IdentifyOptions{}.terms)))
       ->type_name(list_of(kModelWords, "|"));
   verb.add_option_function<std::string>("--terms", take_terms, "Terms of the model, in place of --model")
       ->type_name("K0,Ki,...");

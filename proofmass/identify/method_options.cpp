@@ -13,7 +13,7 @@ template <typename Field>
 OptionInfo row_of(const Field& field, const auto& value) {
   OptionInfo row{.name = field.name,
                  .former = field.notes.former,
-                 .help = field.help,
+                 .help = help_text(field.help, field.notes.figures),
                  .place = field.notes.place,
                  .type = {},
                  .range = {},
@@ -38,6 +38,20 @@ std::vector<OptionInfo> rows_of(const Options& options) {
   return rows;
 }
 
+// "ols, wls and tls": the methods that fit all rows when no split is asked for.
+std::string methods_of_all_rows() {
+  std::vector<std::string_view> names;
+  for (const Method& method : methods()) {
+    if (info(method).training_fraction == 1.0) names.push_back(info(method).name);
+  }
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string_view separator = k == 0 ? "" : k + 1 == names.size() ? " and " : ", ";
+    text.append(separator).append(names[k]);
+  }
+  return text;
+}
+
 template <typename Options>
 bool set(Options& options, std::string_view name, std::string_view text) {
   bool found = false;
@@ -55,7 +69,15 @@ std::vector<OptionInfo> options_of(const Method& method) {
   return std::visit([](const auto& own) { return rows_of(own); }, method);
 }
 
-std::vector<OptionInfo> options_of(const IdentifyOptions& options) { return rows_of(options); }
+std::vector<OptionInfo> options_of(const IdentifyOptions& options) {
+  constexpr std::string_view kMethods = "{methods}";
+  std::vector<OptionInfo> rows = rows_of(options);
+  for (OptionInfo& row : rows) {
+    const std::size_t at = row.help.find(kMethods);
+    if (at != std::string::npos) row.help.replace(at, kMethods.size(), methods_of_all_rows());
+  }
+  return rows;
+}
 
 bool has_option(const Method& method, std::string_view name) {
   const std::vector<OptionInfo> rows = options_of(method);

@@ -15,7 +15,7 @@ namespace proofmass {
 struct OptionInfo {
   std::string_view name;    // "outlier-limit"
   std::string_view former;  // an earlier name, which is still understood; may be empty
-  std::string_view help;    // one line
+  std::string help;         // one line
   std::string_view place;   // in the documentation
   std::string type;         // what stands for a value: "N", "X", "on|off", "N|search"
   std::string range;        // "at least 1"; empty for choices

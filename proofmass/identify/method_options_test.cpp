@@ -329,6 +329,23 @@ TEST(MethodOptions, HaveAPlaceInTheDocumentation) {
   });
 }
 
+TEST(MethodOptions, HaveTheFiguresAndMethodsOfTheCodeInTheirHelp) {
+  std::map<std::string_view, std::string> helps;
+  for_all([&helps](const auto& options, const std::string& where) {
+    for (const OptionInfo& row : options_of(options)) {
+      EXPECT_EQ(row.help.find_first_of("{}"), std::string::npos) << where << " " << row.name;
+      helps.emplace(row.name, row.help);
+    }
+  });
+  EXPECT_NE(helps["split"].find("the default of ols, wls, robust, tls and eiv; 0.7 that of the others"),
+            std::string::npos)
+      << helps["split"];
+  EXPECT_NE(helps["split-by"].find("a split of 0.7"), std::string::npos) << helps["split-by"];
+  EXPECT_NE(helps["tuning"].find("Huber's k (default 1.345), Tukey's c (4.685)"), std::string::npos)
+      << helps["tuning"];
+  EXPECT_EQ(help_text("{} or {}, {}", std::array{0.5, 1e-3}), "0.5 or 0.001, {}");
+}
+
 // --- Provenance --------------------------------------------------------------------------------------------
 
 TEST(ResolvedOptions, AreAllOptionsOnceInAFixedOrder) {

@@ -11,6 +11,7 @@
 
 #include "proofmass/core/run.hpp"
 #include "proofmass/core/static_model.hpp"
+#include "proofmass/identify/options/method_info.hpp"
 
 namespace proofmass {
 
@@ -52,7 +53,7 @@ struct Comparison {
   std::string input;
   std::uint64_t seed = 0;  // of the first repeat; repeat r uses seed + r, for all methods alike
   std::size_t repeats = 1;
-  double training_fraction = 0.7;
+  double training_fraction = kTrainingFraction;
   std::vector<Contestant> contestants;
   std::vector<Finding> findings;     // on the record and its truth
   std::optional<StaticModel> truth;  // where it is known

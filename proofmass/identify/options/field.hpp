@@ -50,11 +50,12 @@ inline constexpr std::size_t kMostUnits = 1000;       // hidden units, neurons, 
 
 // What few fields have beside name, member, help and domain.
 struct FieldNotes {
-  std::string_view place{};   // where the documentation explains it: "pso-bp.md#the-swarm"
-  std::string_view unit{};    // that the value is written in, where it has one
-  double per_unit = 1.0;      // written value = stored value * per_unit
-  std::string_view absent{};  // the word for a field that holds nothing
-  std::string_view former{};  // an earlier name, which is still understood
+  std::string_view place{};           // where the documentation explains it: "pso-bp.md#the-swarm"
+  std::string_view unit{};            // that the value is written in, where it has one
+  double per_unit = 1.0;              // written value = stored value * per_unit
+  std::string_view absent{};          // the word for a field that holds nothing
+  std::string_view former{};          // an earlier name, which is still understood
+  std::span<const double> figures{};  // that stand in the help where it has {}, in order
 };
 
 // Domain: Range<double>, Range<std::size_t>, or the words of a choice.
@@ -62,7 +63,7 @@ template <typename Owner, typename Value, typename Domain>
 struct Field {
   std::string_view name;  // "outlier-limit"
   Value Owner::*member;
-  std::string_view help;  // one line
+  std::string_view help;  // one line, as help_text fills it in
   Domain domain;
   FieldNotes notes;
 };

@@ -60,6 +60,20 @@ std::string number_as_text(double value, double per_unit) {
   return shortest.empty() ? fmt::format("{}", written) : shortest;
 }
 
+std::string help_text(std::string_view help, std::span<const double> figures) {
+  constexpr std::string_view kPlace = "{}";
+  std::string text(help);
+  std::size_t from = 0;
+  for (const double figure : figures) {
+    const std::size_t at = text.find(kPlace, from);
+    if (at == std::string::npos) break;
+    const std::string number = number_as_text(figure);
+    text.replace(at, kPlace.size(), number);
+    from = at + number.size();
+  }
+  return text;
+}
+
 double read_number(std::string_view name, std::string_view text, const Range<double>& range,
                    std::string_view or_word) {
   return read(name, text, range, or_word);

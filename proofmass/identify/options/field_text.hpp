@@ -33,6 +33,9 @@ namespace proofmass {
 [[nodiscard]] std::string range_text(const Range<double>& range);
 [[nodiscard]] std::string range_text(const Range<std::size_t>& range);
 
+// The help with each {} replaced by the next figure.
+[[nodiscard]] std::string help_text(std::string_view help, std::span<const double> figures);
+
 // "a, b, c".
 template <typename Words>
 [[nodiscard]] std::string list_of(const Words& words, std::string_view separator = ", ") {

@@ -10,6 +10,7 @@
 
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/options/field.hpp"
+#include "proofmass/identify/options/method_info.hpp"
 
 namespace proofmass {
 
@@ -21,7 +22,9 @@ enum class SplitBy { row, mount };
 inline constexpr std::array kSplitByWords{Word<SplitBy>{"row", SplitBy::row},
                                           Word<SplitBy>{"mount", SplitBy::mount}};
 
-// What every method takes.
+inline constexpr std::array kTrainingFractions{kTrainingFraction};  // for the helps
+
+// What every method takes. In a help, {methods} are those that fit all rows when no split is asked for.
 struct IdentifyOptions {
   TermList terms = paper_terms();
   RankLossPolicy on_rank_loss = RankLossPolicy::refuse;
@@ -35,14 +38,16 @@ struct IdentifyOptions {
             {.place = "ols.md#terms-that-cannot-be-separated"}),
       field("seed", &IdentifyOptions::seed, "seed of the split and of all random draws",
             whole(0, std::numeric_limits<std::uint64_t>::max()), {.place = "numerics.md"}),
-      field("split", &IdentifyOptions::split,
-            "fraction of the rows to train on, the rest are for testing; 1 fits all rows, which is "
-            "the default of ols, wls, robust, tls and eiv; 0.7 that of the others, and of compare",
-            above(0.0, 1.0), {.place = "commands.md#which-rows-are-fitted", .absent = "default"}),
+      field(
+          "split", &IdentifyOptions::split,
+          "fraction of the rows to train on, the rest are for testing; 1 fits all rows, which is "
+          "the default of {methods}; {} that of the others, and of compare",
+          above(0.0, 1.0),
+          {.place = "commands.md#which-rows-are-fitted", .absent = "default", .figures = kTrainingFractions}),
       field("split-by", &IdentifyOptions::split_by,
-            "whether rows are drawn one by one, or all rows of a mount together (with a split of 0.7 "
+            "whether rows are drawn one by one, or all rows of a mount together (with a split of {} "
             "where none is given)",
-            kSplitByWords, {.place = "commands.md#which-rows-are-fitted"})};
+            kSplitByWords, {.place = "commands.md#which-rows-are-fitted", .figures = kTrainingFractions})};
 };
 
 }  // namespace proofmass

@@ -5,7 +5,7 @@
 
 namespace proofmass {
 
-// Fraction of the rows to train on where some are set aside to test on, when none is asked for.
+// Fraction of the rows to train on where some are set aside to test on, when no fraction is asked for.
 inline constexpr double kTrainingFraction = 0.7;
 
 // What is said of a method wherever methods are listed.

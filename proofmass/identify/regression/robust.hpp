@@ -20,6 +20,8 @@ inline constexpr std::array kLossWords{Word<LossKind>{"huber", LossKind::huber},
                                        Word<LossKind>{"bisquare", LossKind::bisquare},
                                        Word<LossKind>{"t", LossKind::student}};
 
+inline constexpr std::array kDefaultTunings{kHuberTuning, kBisquareTuning};  // for the help
+
 // M-estimation on the terms asked for (docs/robust.md): rows far from the rest lose weight, by the loss of
 // Huber, of Tukey (bisquare) or of Student's t. The result lists the suspect rows, largest residual first.
 struct Robust {
@@ -36,9 +38,10 @@ struct Robust {
   static constexpr auto fields = std::tuple{
       field("loss", &Robust::loss, "loss function", kLossWords, {.place = "robust.md#which-loss"}),
       field("tuning", &Robust::tuning,
-            "constant of the loss: Huber's k (default 1.345), Tukey's c (4.685), degrees of freedom of t "
+            "constant of the loss: Huber's k (default {}), Tukey's c ({}), degrees of freedom of t "
             "(estimated)",
-            between(1e-3, 1e6), {.place = "robust.md#which-loss", .absent = "default"}),
+            between(1e-3, 1e6),
+            {.place = "robust.md#which-loss", .absent = "default", .figures = kDefaultTunings}),
       field("outlier-limit", &Robust::outlier_limit, "robust scales beyond which a row is listed as suspect",
             above(0.0), {.place = "robust.md#suspect-rows"}),
       field("robust-iterations", &Robust::iterations, "iterations of reweighting, at most", whole(1),

@@ -94,11 +94,11 @@ double RobustLoss::slope(double u) const noexcept {
 double default_tuning(LossKind kind) noexcept {
   switch (kind) {
     case LossKind::huber:
-      return 1.345;
+      return kHuberTuning;
     case LossKind::bisquare:
-      return 4.685;
+      return kBisquareTuning;
     case LossKind::student:
-      return 4.0;
+      return kStudentDof;
   }
   return 0.0;
 }

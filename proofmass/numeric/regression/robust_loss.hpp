@@ -8,17 +8,22 @@ namespace proofmass {
 
 enum class LossKind { huber, bisquare, student };
 
+// Constants for 95 % efficiency on normal noise: Huber's k (Ann. Math. Statist. 35, 1964) and Tukey's c
+// (Beaton & Tukey, Technometrics 16, 1974).
+inline constexpr double kHuberTuning = 1.345;
+inline constexpr double kBisquareTuning = 4.685;
+inline constexpr double kStudentDof = 4.0;  // degrees of freedom where they are not estimated
+
 // A loss of the scaled residual u, given by its derivative psi(u) = weight(u) * u. Tuning is Huber's k,
 // Tukey's c, or Student's degrees of freedom.
 struct RobustLoss {
   LossKind kind = LossKind::huber;
-  double tuning = 1.345;
+  double tuning = kHuberTuning;
   [[nodiscard]] double weight(double u) const noexcept;  // at most about 1, 1 at most small residuals
   [[nodiscard]] double slope(double u) const noexcept;   // derivative of psi
 };
 
-// The constants for 95 % efficiency on normal noise: 1.345 (Huber, Ann. Math. Statist. 35, 1964) and 4.685
-// (Beaton & Tukey, Technometrics 16, 1974). Student: 4, a default without estimation.
+// The constant above for the loss.
 [[nodiscard]] double default_tuning(LossKind kind) noexcept;
 
 // Robust scale, equal to the standard deviation for normal residuals: the median of |r| without the `fitted`
