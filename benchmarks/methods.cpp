@@ -16,7 +16,6 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/network/presets.hpp"
-#include "proofmass/split.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
 #include "proofmass/study/compare.hpp"
@@ -67,14 +66,14 @@ std::vector<Entry> entries(const SimulationPlan& plan, const TermList& terms) {
 
 // Root mean square over the test rows of the part that no method can predict: measured output minus the true
 // output at the true inputs or, where those are not recorded, at the recorded ones.
-double noise_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t seed) {
+double noise_of(const SimulationPlan& plan, const Dataset& record, const std::vector<std::size_t>& test,
+                std::uint64_t seed) {
   SimulationPlan quiet = plan;
   quiet.noise = {};
   quiet.record_sigma = false;
   quiet.input_sigma = {};
   const Dataset clean = simulate(quiet, plan.rows, seed);
   const StaticModel truth = plan.truth();
-  const std::vector<std::size_t> test = split_rows(record.rows(), {}, seed).test;
   double sum = 0.0;
   for (const std::size_t row : test) {
     const double best = exact_inputs(plan) ? clean.output[row] : truth.output(record.at(row));
@@ -85,10 +84,10 @@ double noise_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t
 
 // The floor of the test error: that of least squares with all terms or, where the terms cannot represent the
 // truth, the noise.
-double floor_of(const SimulationPlan& plan, const Dataset& record, std::uint64_t seed,
-                const TermList& terms) {
+double floor_of(const SimulationPlan& plan, const Dataset& record, const std::vector<std::size_t>& test,
+                std::uint64_t seed, const TermList& terms) {
   if (plan.unmodelled.saturating != 0.0 || plan.unmodelled.fourth_order != 0.0) {
-    return noise_of(plan, record, seed);
+    return noise_of(plan, record, test, seed);
   }
   return identify(record, Ols{}, {.terms = terms, .seed = seed, .split = kTrainingFraction})
       .identification.test->rmse;
@@ -121,9 +120,11 @@ std::string cells(const SimulationPlan& plan, Entry entry, std::size_t seeds) {
     const Contestant& contestant = one.contestants.front();
     const double over_bound = contestant.truth->rms_over_bound.value();
     tally.square_over_bound += over_bound * over_bound;
-    const double rmse = contestant.runs.front().identification.test->rmse;
-    tally.over_floor.push_back(rmse / floor_of(plan, record, seed, entry.options.terms));
-    tally.over_noise.push_back(rmse / noise_of(plan, record, seed));
+    const Run& run = contestant.runs.front();
+    const std::vector<std::size_t>& test = run.split.test;
+    const double rmse = run.identification.test->rmse;
+    tally.over_floor.push_back(rmse / floor_of(plan, record, test, seed, entry.options.terms));
+    tally.over_noise.push_back(rmse / noise_of(plan, record, test, seed));
     tally.seconds.push_back(contestant.seconds.front());
   }
   const double rms = std::sqrt(tally.square_over_bound / static_cast<double>(seeds));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -48,16 +49,30 @@ void require_training_rows(const Dataset& record, const Split& split, const Iden
               std::move(remedies));
 }
 
-Split divide(const Dataset& record, const SplitOptions& parts, const IdentifyOptions& options) {
-  return options.split_by == SplitBy::mount ? split_mounts(record.mount, parts, options.seed)
-                                            : split_rows(record.rows(), parts, options.seed);
+// All rows that are not for testing, ascending.
+std::vector<std::size_t> rows_not_for_testing(const Split& split) {
+  std::vector<std::size_t> rows;
+  rows.reserve(split.training.size() + split.validation.size());
+  std::merge(split.training.begin(), split.training.end(), split.validation.begin(), split.validation.end(),
+             std::back_inserter(rows));
+  return rows;
 }
 
-SplitOptions split_of(const Method& method, const IdentifyOptions& options) {
+// A search of hidden units sets rows aside too, other ones in each trial. That they leave some to train on is
+// checked here; without early stopping the network then trains on them again.
+Split divide(const Dataset& record, const Method& method, const IdentifyOptions& options) {
   const NetworkOptions* const network = network_options(method);
   const bool early = network != nullptr && network->early_stopping;
-  return {.training_fraction = *options.split,
-          .validation_fraction = early ? network->validation_fraction : 0.0};
+  const bool searches = network != nullptr && !network->hidden;
+  const SplitOptions parts{.training_fraction = *options.split,
+                           .validation_fraction = early || searches ? network->validation_fraction : 0.0};
+  Split split = options.split_by == SplitBy::mount ? split_mounts(record.mount, parts, options.seed)
+                                                   : split_rows(record.rows(), parts, options.seed);
+  if (!early) {
+    split.training = rows_not_for_testing(split);
+    split.validation.clear();
+  }
+  return split;
 }
 
 void require_mounts(const Dataset& record, const IdentifyOptions& options) {
@@ -76,14 +91,13 @@ void require_mounts(const Dataset& record, const IdentifyOptions& options) {
 }
 
 // The number of hidden units that trials on the training rows choose, put into the method, and the trials.
-std::vector<HiddenTrial> search_hidden(const Dataset& record, Method& method, const IdentifyOptions& options,
-                                       Progress& progress) {
+std::vector<HiddenTrial> search_hidden(const Dataset& record, const Split& split, Method& method,
+                                       const IdentifyOptions& options, Progress& progress) {
   NetworkOptions* const network = network_options(method);
   if (network == nullptr || network->hidden) return {};
   const SplitOptions parts{.training_fraction = *options.split,
                            .validation_fraction = network->validation_fraction};
-  (void)divide(record, parts, options);  // refuses fractions that leave nothing to train on
-  const Dataset rows = record.select(divide(record, {.training_fraction = *options.split}, options).training);
+  const Dataset rows = record.select(rows_not_for_testing(split));
   const auto splits = options.split_by == SplitBy::mount
                           ? split_mounts_for_trials(rows.mount, parts, options.seed, network->search_repeats)
                           : split_for_trials(rows.rows(), parts, options.seed, network->search_repeats);
@@ -131,12 +145,12 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   IdentifyOptions options = given;
   options.terms = in_canonical_order(std::move(options.terms));
   options.split = training_fraction(asked, given);
-  Method method = asked;
-  std::vector<HiddenTrial> trials = search_hidden(record, method, options, progress);
 
   Run run;
-  run.split = divide(record, split_of(method, options), options);
+  run.split = divide(record, asked, options);
   require_training_rows(record, run.split, options);
+  Method method = asked;
+  std::vector<HiddenTrial> trials = search_hidden(record, run.split, method, options, progress);
   const Dataset training = record.select(run.split.training);
   const Dataset validation = record.select(run.split.validation);
   const Dataset test = record.select(run.split.test);

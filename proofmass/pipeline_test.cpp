@@ -384,6 +384,23 @@ TEST(IdentifyBp, ProvenanceHasTheOptionsAsTheyWereAskedFor) {
   EXPECT_THAT(identify(test::make_twin(), method).provenance.options, Contains(Pair("hidden", "search")));
 }
 
+TEST(IdentifyBp, SearchesOnTheRowsOfTheSplitThatItFits) {
+  Bp fixed = small_network();
+  fixed.network.training.epochs = 2;
+  Bp searching = fixed;
+  searching.network.hidden.reset();
+  searching.network.search_repeats = 2;
+  for (const bool early : {false, true}) {
+    fixed.network.early_stopping = searching.network.early_stopping = early;
+    const Split expected = identify(test::make_twin(), fixed).split;
+    const Split split = identify(test::make_twin(), searching).split;
+    EXPECT_EQ(split.training, expected.training);
+    EXPECT_EQ(split.validation, expected.validation);
+    EXPECT_EQ(split.validation.empty(), !early);
+    EXPECT_EQ(split.test, expected.test);
+  }
+}
+
 TEST(IdentifyBp, IsTheSameWithoutProgress) {
   const Dataset record = test::make_twin();
   const IdentifyOptions options{.terms = quadratic_terms(), .seed = 3};
