@@ -54,7 +54,7 @@ TerminalStyle terminal_style(bool wide) {
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   const std::size_t width =
       terminal ? std::max(terminal_columns(STDOUT_FILENO).value_or(kUsualWidth), kLeastWidth) : kUsualWidth;
-  return {.colour = !refused && terminal, .width = wide ? 0 : width};
+  return {.colour = !refused && terminal, .width = wide ? 0 : width, .more_columns = "--wide"};
 }
 
 OutputFiles::~OutputFiles() {

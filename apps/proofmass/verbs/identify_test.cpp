@@ -32,6 +32,7 @@ TEST_F(IdentifyVerb, PrintsATableAndWritesTheFilesItNames) {
   ASSERT_EQ(fit.exit_code, 0) << fit.err;
   EXPECT_EQ(fit.err, "");
   EXPECT_NE(fit.out.find("µg/g²"), std::string::npos);
+  EXPECT_NE(fit.out.find("95 % interval (--wide)"), std::string::npos) << fit.out;
   EXPECT_EQ(fit.out.find('\x1b'), std::string::npos);
   EXPECT_EQ(read("results/result.json"), read("r.json"));
   const Json result = read_json("r.json");

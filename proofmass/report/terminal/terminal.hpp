@@ -12,6 +12,8 @@ namespace proofmass {
 struct TerminalStyle {
   bool colour = false;     // ANSI escapes for headings and warnings
   std::size_t width = 80;  // columns of a line; 0: any
+  // What a reader can do to see columns that do not fit, as the program that shows the text has it.
+  std::string more_columns{};
 };
 
 // Coefficients with their uncertainties, the terms that could not be identified and why, the metrics of each

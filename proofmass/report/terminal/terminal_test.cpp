@@ -129,11 +129,14 @@ TEST(Terminal, KeepsToItsWidth) {
   Identification result = result_in("mA");
   result.findings = {said(std::string(30, 'a') + " " + std::string(60, 'b') + " c", Severity::warning)};
   EXPECT_LE(longest_line(render_table(result)), 80U) << render_table(result);
-  EXPECT_NE(render_table(result).find("(--wide)"), std::string::npos);
+  const std::string missing = line_with(render_table(result), "not shown in 80 columns: ");
+  EXPECT_TRUE(missing.ends_with("95 % interval")) << missing;
+  EXPECT_NE(render_table(result, {.more_columns = "turn the page"}).find("(turn the page)\n"),
+            std::string::npos);
   const std::string wide = render_table(result, {.width = 0});
   EXPECT_GT(longest_line(wide), 90U);
   EXPECT_NE(line_with(wide, "term").find("95 % interval"), std::string::npos) << wide;
-  EXPECT_EQ(wide.find("--wide"), std::string::npos);
+  EXPECT_EQ(wide.find("not shown"), std::string::npos);
   // What it reads comes first.
   EXPECT_LT(line_with(wide, "term").find("reads"), line_with(wide, "term").find("value"));
 }

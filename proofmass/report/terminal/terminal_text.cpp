@@ -55,7 +55,8 @@ void TerminalText::first_columns(const TextTable& table) {
   rows(fitting);
   if (fitting.columns() < table.columns()) {
     const auto names = table.header().subspan(fitting.columns());
-    line(fmt::format("not shown in {} columns: {} (--wide)", style_.width, fmt::join(names, ", ")));
+    const std::string how = style_.more_columns.empty() ? "" : fmt::format(" ({})", style_.more_columns);
+    line(fmt::format("not shown in {} columns: {}{}", style_.width, fmt::join(names, ", "), how));
   }
 }
 
