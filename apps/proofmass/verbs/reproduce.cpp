@@ -11,7 +11,9 @@
 #include "output.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/report/paper/reproduction.hpp"
+#include "proofmass/report/terminal/wrapped_text.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
+#include "proofmass/study/paper/citation.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -47,6 +49,14 @@ void run_reproduce(const ReproduceFlags& flags) {
   files.commit();
 }
 
+std::string citation() {
+  constexpr std::size_t kCharacters = 60;  // Chinese ones take two columns each
+  std::string text;
+  for (const std::string& line : wrapped_lines("The paper: " + std::string(kPaperCitation), kCharacters))
+    text.append(line).append("\n");
+  return text;
+}
+
 }  // namespace
 
 Action add_reproduce(CLI::App& verb) {
@@ -60,7 +70,8 @@ Action add_reproduce(CLI::App& verb) {
   verb.footer(
       "Examples:\n"
       "  proofmass reproduce --quick\n"
-      "  proofmass reproduce --out reproduction\n");
+      "  proofmass reproduce --out reproduction\n\n" +
+      citation());
   return [flags] { run_reproduce(*flags); };
 }
 

@@ -21,6 +21,14 @@ TEST_F(ReproduceVerb, RefusesWhatMakesNoSense) {
   EXPECT_EQ(names(), std::vector<std::string>{"taken"});
 }
 
+TEST_F(ReproduceVerb, CitesThePaperInItsHelp) {
+  const std::string help = proofmass({"reproduce", "--help"}).out;
+  for (const char* part :
+       {"The paper: 史有志", "《基于PSO-BP的石英挠性加速度计静态模型辨识》", "45(3), 2025"}) {
+    EXPECT_NE(help.find(part), std::string::npos) << part << " in\n" << help;
+  }
+}
+
 TEST_F(ReproduceVerb, StopsWhenInterruptedAndWritesNothing) {
   Process process(launch({"reproduce", "--out", at("results")}));
   while (process.is_running() && process.errors_so_far().empty()) {

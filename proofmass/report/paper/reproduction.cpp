@@ -10,6 +10,7 @@
 #include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/paper/reproduction_figures_internal.hpp"
+#include "proofmass/study/paper/citation.hpp"
 
 namespace proofmass {
 namespace {
@@ -204,12 +205,13 @@ std::string table_1_csv(const Reproduction& made) {
 
 std::string render_reproduction(const Reproduction& made) {
   return fmt::format(
-             "# The paper's experiment, repeated\n\nThe paper's own record is not public. This is a "
+             "# The paper's experiment, repeated\n\nThe paper: {}.\n\nThe paper's own record is not public. "
+             "This is a "
              "simulated twin ({}): "
              "its coefficients as truth, {} rows, white noise of {:.4g} µg, seed {}, 70 % of the rows to "
              "train on. Figures of the two experiments need not agree, for the records differ; their "
              "order and the costs should.\n\n",
-             made.twin, made.rows, made.sigma * 1e6, made.seed) +
+             kPaperCitation, made.twin, made.rows, made.sigma * 1e6, made.seed) +
          table_1(made) + table_2(made) + table_3(made) + costs(made) + gains(made) + pictures(made) +
          inconsistencies(made);
 }

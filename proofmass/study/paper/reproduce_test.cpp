@@ -9,6 +9,7 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/report/paper/reproduction.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
+#include "proofmass/study/paper/citation.hpp"
 #include "proofmass/study/paper/reproduce_entries.hpp"
 #include "proofmass/study/paper/swarm_gain.hpp"
 
@@ -72,6 +73,8 @@ TEST(Reproduce, HasEveryTableAndFigure) {
   for (const char* text : {"2.6884e-3", "Koq", "multistart BP", "11,000", "| Kiop |"}) {
     EXPECT_THAT(files.at(0).text, ::testing::HasSubstr(text));
   }
+  EXPECT_THAT(files.at(0).text, ::testing::StartsWith("# The paper's experiment, repeated\n\nThe paper: " +
+                                                      std::string(kPaperCitation) + ".\n"));
   const double variance = implied_variance(made.networks.contestants[0]).value();
   for (const Contestant& c : made.networks.contestants) {
     EXPECT_NEAR(implied_variance(c).value(), variance, 1e-5 * variance);
