@@ -124,8 +124,7 @@ TermList in_canonical_order(TermList terms) {
   return terms;
 }
 
-// Before the method's own findings, and after those of reading: the faults of the record and of the fit to
-// it.
+// Before the method's own findings, and after those of reading: faults found in the record and the fit.
 void add_diagnosis(Run& run, const Dataset& record, const Method& method) {
   std::vector<Finding> found = diagnose_record(record);
   const SigmaUse sigmas{.inputs_uncertain = takes_inputs_for_uncertain(method),

@@ -34,7 +34,8 @@ struct Verb {
 };
 
 constexpr std::array kVerbs{
-    Verb{"simulate", "Make a test record from a known model and a stand's faults", add_simulate},
+    Verb{"simulate", "Simulate a test record of a known model, with the errors of a test stand",
+         add_simulate},
     Verb{"identify", "Identify the static model of an accelerometer from a test record", add_identify},
     Verb{"compare", "Identify by several methods on the same rows and put them side by side", add_compare},
     Verb{"reproduce", "Repeat the paper's experiment on a simulated twin", add_reproduce},

@@ -98,7 +98,7 @@ void add_record(CLI::App& verb, RecordFlags& flags, const std::string& name, con
       ->allow_extra_args(false)
       ->type_name("NAME=COLUMN,...");
   verb.add_option("--encoding", flags.encoding,
-                  "Encoding of the record, as UTF-8, GB18030 or Windows-1252 (default: found out)")
+                  "Encoding of the record, as UTF-8, GB18030 or Windows-1252 (default: detected)")
       ->type_name("NAME")
       ->take_last();
   add_choice(verb, "--decimal", kDecimalWords, flags.decimal,

@@ -93,7 +93,7 @@ def markdown(results):
         "forward": ("Forward RMSE, ns per particle × sample", lambda r: tables.race(r, "ns")),
         "epoch": ("One training epoch, ns per sample", lambda r: tables.race(r, "ns")),
         "quality": ("Quality: RMSE over sigma after at most 1000 epochs", tables.quality),
-        "bounds": ("Share of the bound", tables.bounds),
+        "bounds": ("Fraction of the bound", tables.bounds),
         "limits": ("Limits of the machine, one core", tables.limits),
         "growth": ("Growth with rows, per sample", tables.growth),
         "hidden": ("Growth with hidden units, per sample; cost over operations is relative to 7", tables.hidden),

@@ -55,7 +55,7 @@ def quality(summary):
 
 
 def bounds(share):
-    head = ["", "operations a sample", "bound, ns", "measured, ns", "share of the bound"]
+    head = ["", "operations a sample", "bound, ns", "measured, ns", "fraction of the bound"]
     rows = [
         [s["name"], f"{s['operations']:.0f}", short(s["bound_ns"]), short(s["ns"]), f"{100 * s['share']:.0f} %"]
         for s in share

@@ -24,10 +24,10 @@ struct StaticFit {
 // The preset with exactly these terms, otherwise their names.
 [[nodiscard]] std::string model_name(const TermList& terms);
 
-// An Identification with method, model, seed, unit, one coefficient a term asked for (lost ones marked, with
-// their reason), covariance, standard errors, condition numbers, and findings on lost and on badly determined
-// terms. Residual figures, network, ending and history are left to the method. Throws std::invalid_argument
-// when the sizes disagree.
+// An Identification with method, model, seed, unit, one coefficient a term asked for (unidentifiable ones
+// marked, with their reason), covariance, standard errors, condition numbers, and findings on unidentifiable
+// and on badly determined terms. Residual figures, network, ending and history are left to the method. Throws
+// std::invalid_argument when the sizes disagree.
 [[nodiscard]] Identification make_identification(std::string_view method, const Dataset& training,
                                                  const IdentifyOptions& options, const Identifiability& found,
                                                  const StaticFit& fit);

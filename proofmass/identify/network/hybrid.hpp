@@ -29,13 +29,15 @@ struct Hybrid {
 
   static constexpr MethodInfo info{
       .name = "hybrid",
-      .summary = "static model and network together, hidden units chosen by evidence",
+      .summary =
+          "static model and network together, hidden units chosen by the Bayesian information criterion",
       .page = "hybrid.md"};
   static constexpr auto fields = std::tuple{
       field("most-hidden", &Hybrid::most_hidden, "hidden units tried, at most", whole(0, kMostUnits),
             {.place = "hybrid.md#how-many-hidden-units"}),
-      field("patience", &Hybrid::patience, "sizes without a better criterion that end the search",
-            whole(1, kMostUnits), {.place = "hybrid.md#how-many-hidden-units"}),
+      field("patience", &Hybrid::patience,
+            "the search ends after N sizes in a row without a smaller criterion", whole(1, kMostUnits),
+            {.place = "hybrid.md#how-many-hidden-units"}),
       field("particles", &Hybrid::particles, "particles of the swarm", whole(1, kMostMembers),
             {.place = "hybrid.md#how-many-hidden-units"}),
       field("iterations", &Hybrid::iterations, "iterations of the swarm, at most; 0: particles as they start",

@@ -75,12 +75,17 @@ struct PsoBp {
             {.place = "pso-bp.md#the-swarm"}),
       field("update", &PsoBp::update, "all particles at once, or one after the other", kUpdateWords,
             {.place = "pso-bp.md#the-swarm"}),
-      field("topology", &PsoBp::topology, "who follows whom", kTopologyWords,
-            {.place = "pso-bp.md#the-swarm"}),
+      field("topology", &PsoBp::topology,
+            "the particles whose best one each particle follows: all, its two neighbours on a ring, or its "
+            "four "
+            "neighbours on a grid",
+            kTopologyWords, {.place = "pso-bp.md#the-swarm"}),
       field("velocity-limit", &PsoBp::velocity_limit,
             "longest step, as a fraction of the initial box; 0: no limit", at_least(0.0),
             {.place = "pso-bp.md#the-swarm"}),
-      field("fitness", &PsoBp::fitness, "error with the output layer solved, after training, or as it is",
+      field("fitness", &PsoBp::fitness,
+            "error of a particle: with the output layer solved, after some epochs of training, or with the "
+            "particle's own weights",
             kFitnessWords, {.place = "pso-bp.md#the-swarm"}),
       field("fitness-epochs", &PsoBp::fitness_epochs, "training epochs of one evaluation of fitness trained",
             whole(1), {.place = "pso-bp.md#the-swarm"}),

@@ -198,7 +198,7 @@ TEST(Eiv, FindsTheFiniteMinimumThatLeastSquaresDoesNotLeadTo) {
   EXPECT_NEAR(result.coefficients[1].value, 10.98710, 1e-4);
   EXPECT_NEAR(*result.coefficients[1].standard_error, 41.9, 0.1);
   EXPECT_NEAR(result.history.at(0).values.back(), 0.68919064, 1e-8);
-  EXPECT_THAT(result.ending.reason, HasSubstr("the first did not lead there"));
+  EXPECT_THAT(result.ending.reason, HasSubstr("gave this, the best result: the first start ended elsewhere"));
 }
 
 // Nearly one output for opposite inputs, which are a thousandth of their uncertainty: the larger Ki, the

@@ -24,7 +24,7 @@ namespace {
 // Mean slope of psi below which the loss is nearly flat over most rows.
 constexpr double kLeastSlope = 0.05;
 
-// Fits, and again without the terms that are lost together with the rows' weights.
+// Fits, and again without the terms that the rows with weight cannot identify.
 RobustFit fit_identifiable(const Robust& method, const Dataset& training, const IdentifyOptions& options,
                            Identifiability& found, const Progress& progress) {
   while (true) {
@@ -38,7 +38,7 @@ RobustFit fit_identifiable(const Robust& method, const Dataset& training, const 
     const std::size_t before = found.identified.size();
     found = require_identifiable_by_weight(training, found, fit.weights, options.on_rank_loss);
     if (found.identified.size() < before) continue;
-    if (fit.rank_lost) {
+    if (fit.rank_deficient) {
       throw refusal(
           fmt::format("{}: so many rows lost their weight that the rest hardly determine the terms; a loss "
                       "that keeps weight, or fewer terms, may do",

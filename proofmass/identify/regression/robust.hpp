@@ -32,7 +32,7 @@ struct Robust {
   std::size_t iterations = 500;  // of reweighting in one round, at most
 
   static constexpr MethodInfo info{.name = "robust",
-                                   .summary = "M-estimation that holds outliers down and lists them",
+                                   .summary = "M-estimation that gives outliers little weight and lists them",
                                    .page = "robust.md",
                                    .training_fraction = 1.0};
   static constexpr auto fields = std::tuple{

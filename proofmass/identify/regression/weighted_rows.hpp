@@ -17,9 +17,9 @@ inline constexpr double kNoWeight = 1e-16;
 [[nodiscard]] std::size_t count_rows_with_weight(std::span<const double> weights);
 
 // What `found` becomes when rows without weight are left out: itself when the others still identify every
-// term. Otherwise throws a refusal that names each lost term, or, when the policy is drop, moves them to the
-// lost ones. Throws a refusal too when the rows with weight are not one more than the terms that are left.
-// `weights`: one a row, not negative.
+// term. Otherwise throws a refusal that names each term that they cannot identify, or, when the policy is
+// drop, moves it to the unidentified ones. Throws a refusal too when the rows with weight are not one more
+// than the terms that are left. `weights`: one a row, not negative.
 [[nodiscard]] Identifiability require_identifiable_by_weight(const Dataset& data,
                                                              const Identifiability& found,
                                                              std::span<const double> weights,

@@ -258,8 +258,9 @@ OrthogonalDistanceFit fit_orthogonal_distance_from(const Surface& surface,
   }
   if (best.termination.cause != Cause::converged) return best;
   if (from > 0) {
-    best.termination.reason += fmt::format(
-        "; that was from start {} of {}, the best: the first did not lead there", from + 1, starts.size());
+    best.termination.reason +=
+        fmt::format("; start {} of {} gave this, the best result: the first start ended elsewhere", from + 1,
+                    starts.size());
   }
   if (beyond < best.sum_of_squares) {
     best.termination.reason += fmt::format(

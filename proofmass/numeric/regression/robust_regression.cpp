@@ -84,7 +84,7 @@ struct State {
   VectorXd weights;
   double step = std::numeric_limits<double>::infinity();  // largest change of a fitted value
   std::size_t iterations = 0;
-  bool rank_lost = false;
+  bool rank_deficient = false;
 };
 
 // A scale below the floor says that most residuals are rounding or nothing: then the resolution speaks.
@@ -111,7 +111,7 @@ void reweight(const RobustProblem& problem, const RobustLoss& loss, double scale
   const MatrixXd normal = problem.basis.transpose() * weighted;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(normal, Eigen::EigenvaluesOnly);
   if (!(spectrum.eigenvalues()(0) > kLeastEigenvalue)) {
-    state.rank_lost = true;
+    state.rank_deficient = true;
     return;
   }
   const VectorXd shift = normal.llt().solve(weighted.transpose() * problem.remainder);
@@ -145,7 +145,7 @@ State robust_start(const RobustProblem& problem, const KeepGoing& keep_going) {
   while (state.iterations < kStartIterations && !asked_to_stop(keep_going)) {
     const double scale = scale_of(problem, state);
     reweight(problem, kStartLoss, scale, prior, state);
-    if (state.rank_lost || state.step <= kStartTolerance * scale) break;
+    if (state.rank_deficient || state.step <= kStartTolerance * scale) break;
   }
   return state;
 }
@@ -177,7 +177,7 @@ void iterate(const RobustProblem& problem, const RobustOptions& options, double 
       return;
     }
     reweight(problem, loss, scale, prior, state);
-  } while (!state.rank_lost && state.step > enough && state.iterations < limit);
+  } while (!state.rank_deficient && state.step > enough && state.iterations < limit);
   const bool converged = state.step <= enough;
   termination = {
       .cause = converged ? Cause::converged : Cause::iteration_limit,
@@ -239,7 +239,7 @@ RobustFit fit_robustly(const Matrix& design, std::span<const double> y, const Ro
   const RobustProblem problem = make_robust_problem(design, y);
   State state = robust_start(problem, keep_going);
   RobustFit fit;
-  for (int round = 0; round < kRounds && !state.rank_lost; ++round) {
+  for (int round = 0; round < kRounds && !state.rank_deficient; ++round) {
     std::tie(fit.loss, fit.loss_scale) = tuned_loss(problem, state, options);
     iterate(problem, options, fit.loss_scale, fit.loss, state, fit.termination, keep_going);
     if (fit.termination.cause == Cause::stopped) return fit;
@@ -247,8 +247,8 @@ RobustFit fit_robustly(const Matrix& design, std::span<const double> y, const Ro
   fit.weights.assign(state.weights.begin(), state.weights.end());
   fit.vif = problem.vif;
   fit.iterations = state.iterations;
-  fit.rank_lost = state.rank_lost;
-  if (!state.rank_lost) finish(design, y, problem, fit);
+  fit.rank_deficient = state.rank_deficient;
+  if (!state.rank_deficient) finish(design, y, problem, fit);
   return fit;
 }
 

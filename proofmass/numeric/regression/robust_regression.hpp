@@ -39,9 +39,9 @@ struct RobustFit {
   double loss_scale = 0.0;     // the scale that divides residuals: the same, except for Student t's own scale
   RobustLoss loss;             // with the tuning used
   double psi_slope = 0.0;      // mean of psi'; must be well above zero for the covariance to be meaningful
-  bool rank_lost = false;      // rows with weight left do not determine the coefficients; then only the
-                               // weights are of use
-  std::size_t iterations = 0;  // over all rounds
+  bool rank_deficient = false;  // rows with weight left do not determine the coefficients; then only the
+                                // weights are of use
+  std::size_t iterations = 0;   // over all rounds
   Termination termination;
 };
 

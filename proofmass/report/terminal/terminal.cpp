@@ -169,8 +169,9 @@ void add(FigureLine& line, const RobustDetails& details) { line.output("robust s
 void add(FigureLine& line, const GmdhDetails& details) { line.count("models tried", details.models_tried); }
 void add(FigureLine& line, const AfsaDetails& details) {
   line.count("swarm evaluations", details.swarm_evaluations);
-  line.number("residual over the least-squares optimum's", details.optimum_rmse_ratio);
-  line.number("farthest coefficient, standard errors from it", details.optimum_distance);
+  line.text(fmt::format("rms residual {:.5g} times that of least squares", details.optimum_rmse_ratio));
+  line.text(fmt::format("coefficients at most {:.5g} standard errors from those of least squares",
+                        details.optimum_distance));
 }
 
 void write_diagnostics(TerminalText& out, const Identification& result) {

@@ -134,7 +134,7 @@ std::string_view sentence(Code code) noexcept {
       return "the constant given for the output's uncertainty takes the place of the record's sigma_E";
     case Code::uncertainties_taken:
       return "standard errors take the uncertainties given as they are; the residuals are {factor:.3g} times "
-             "as large as these lead to expect";
+             "as large as these predict";
     case Code::uncertainties_scaled:
       return "standard errors take only the ratios of the uncertainties given, and are scaled by "
              "{factor:.3g}, the size of the residuals over that expected";
@@ -228,8 +228,11 @@ std::string_view sentence(Code code) noexcept {
              "than noise does ({typical:.3g} {unit}): the standard errors are too small by about that ratio";
     case Code::structure_beyond_terms:
       return "the record has structure that the terms asked for lack, from the sensor or from the stand. A "
-             "network beside the terms predicts it; the coefficients are the least-squares projection of the "
-             "whole function onto the terms, not its course between the rows";
+             "network beside the terms predicts it. The coefficients are the least-squares projection of "
+             "terms and "
+             "network together onto the terms, over the rows of the record; between these rows the output "
+             "may "
+             "differ from what the coefficients alone give";
     case Code::hidden_choice_ignored:
       return "standard errors assume exact inputs and white noise of one variance, and ignore that the "
              "number of hidden units was chosen on the same rows";

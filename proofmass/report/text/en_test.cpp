@@ -207,15 +207,15 @@ TEST(English, SaysWhyATermIsNotIdentified) {
 }
 
 TEST(English, SaysOfFewRowsThatTheirScaleCanHardlyBeChecked) {
-  const auto said = [](double spare) {
+  const auto few_rows = [](double spare) {
     return english({.code = Code::scale_doubtful,
                     .severity = Severity::basis,
                     .figures = {{"spare", spare}, {"enough", 30.0}}});
   };
-  EXPECT_THAT(said(10.0),
+  EXPECT_THAT(few_rows(10.0),
               StartsWith("the robust scale can hardly be checked with 10 rows more than terms: "));
-  EXPECT_THAT(said(10.0), HasSubstr("at least 30 rows more than terms"));
-  EXPECT_THAT(said(1.0), HasSubstr("with 1 row more than terms"));
+  EXPECT_THAT(few_rows(10.0), HasSubstr("at least 30 rows more than terms"));
+  EXPECT_THAT(few_rows(1.0), HasSubstr("with 1 row more than terms"));
 }
 
 TEST(English, NamesChoices) {

@@ -28,7 +28,7 @@ std::optional<std::vector<double>> robust_residuals(const FittedRows& rows) {
   }
   if (analyse_rank(design).rank < design.columns()) return std::nullopt;
   const RobustFit fit = fit_robustly(design, response, {.iterations = 50, .tolerance = 1e-3});
-  if (fit.rank_lost || fit.scale_floored || fit.scale_check.doubtful) return std::nullopt;
+  if (fit.rank_deficient || fit.scale_floored || fit.scale_check.doubtful) return std::nullopt;
   std::vector<double> left(rows.residuals().begin(), rows.residuals().end());
   for (std::size_t c = 0; c < basis.columns(); ++c) {
     const std::span<const double> column = basis.column(c);

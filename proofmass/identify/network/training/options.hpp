@@ -54,7 +54,8 @@ struct TrainingOptions {
       field("minimum-gradient", &TrainingOptions::minimum_gradient, "gradient that ends training by lm",
             at_least(0.0), {.place = "bp.md#training"}),
       field("validation-failures", &TrainingOptions::validation_failures,
-            "epochs without improvement that stop early", whole(1), {.place = "bp.md#how-it-ends"})};
+            "training stops early after N epochs in a row without a smaller validation error", whole(1),
+            {.place = "bp.md#how-it-ends"})};
 };
 
 }  // namespace proofmass
