@@ -7,7 +7,7 @@
 namespace proofmass {
 
 // Rows that a search for patterns looks at: what shows in none of so many does not matter.
-inline constexpr std::size_t kMostDiagnosedRows = 50'000;
+inline constexpr std::size_t kMostDiagnosedRows = 20'000;
 // Enough for what nearly all rows show.
 inline constexpr std::size_t kSampledRows = 2000;
 
