@@ -15,7 +15,7 @@ constexpr double kRoundingOfOutput = 1e-9;  // of the largest output
 
 // By how much the uncertainty of a fit of so many parameters raises the mean square error on rows like its
 // own: n + p over n.
-double variance_inflation_of(const Identification& result) {
+double prediction_variance_factor(const Identification& result) {
   const auto n = static_cast<double>(result.train->n);
   const auto dof = static_cast<double>(result.diagnostics.dof.value_or(result.train->n));
   return 1.0 + std::max(0.0, n - dof) / n;
@@ -29,7 +29,7 @@ std::optional<Finding> find_unlike_rows(const FittedRows& rows, const Dataset& r
   const auto n = static_cast<double>(result.train->n);
   const auto dof = static_cast<double>(result.diagnostics.dof.value_or(rows.dof()));
   if (!(dof > 0.0)) return std::nullopt;
-  const double expected = result.train->mse * n / dof * variance_inflation_of(result);
+  const double expected = result.train->mse * n / dof * prediction_variance_factor(result);
   const double ratio = result.test->mse / expected;
   if (!(ratio > kUnlike * kUnlike)) return std::nullopt;
   if (fisher_probability(ratio, static_cast<double>(result.test->n), dof) > kUnlikelyRatio)
