@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -68,47 +67,49 @@ std::vector<FindEffect> effects_to_seek(const FittedRows& rows, const Identifica
   return sought;
 }
 
-// What the residuals follow. One cause shows in several ways: the first that is found is named, and the
-// others are sought in what it leaves.
-void add_residual_findings(Findings& findings, const FittedRows& rows, const Identification& result) {
-  if (!rows.has_noise()) return;
+// What the residuals follow, and whether there is anything. One cause shows in several
+// ways: the first that is found is named, and the others are sought in what it leaves.
+bool add_residual_findings(Findings& findings, const FittedRows& rows, const Identification& result) {
+  if (!rows.has_noise()) return false;
   const std::vector<FindEffect> sought = effects_to_seek(rows, result);
   if (auto missing = find_short_model(rows, result)) {
     findings.push_back(std::move(missing->finding));
     const FittedRows left = rows.with_columns(missing->columns);
     if (left.has_noise()) add(findings, find_effects(left, sought));
-    return;
+    return true;
   }
   std::vector<ResidualEffect> effects = find_effects(rows, sought);
   const bool far = add(findings, find_far_rows(without_effects(rows, effects), result));
-  const bool any = far || !effects.empty() || add(findings, find_masked_rows(rows, result));
-  if (!any) add(findings, find_serial_correlation(rows));
+  const bool masked = !far && effects.empty() && add(findings, find_masked_rows(rows, result));
+  const bool correlated = !far && effects.empty() && !masked && add(findings, find_serial_correlation(rows));
+  const bool any = far || masked || correlated || !effects.empty();
   add(findings, std::move(effects));
+  return any;
+}
+
+bool has(std::span<const Finding> findings, Code code) {
+  return std::any_of(findings.begin(), findings.end(), [code](const Finding& f) { return f.code == code; });
 }
 
 // Whether what was found in the record makes its coefficients and residuals wrong: what they look like then
 // is a consequence.
 bool is_explained(std::span<const Finding> of_record) {
-  constexpr std::array kCauses{Code::inputs_in_other_unit, Code::inputs_are_angles,   Code::rows_shifted,
-                               Code::output_unsigned,      Code::output_copies_input, Code::output_clipped,
-                               Code::output_saturated,     Code::output_held,         Code::output_stuck,
-                               Code::output_repeated,      Code::output_wrapped};
-  return std::any_of(of_record.begin(), of_record.end(), [&](const Finding& finding) {
-    return std::find(kCauses.begin(), kCauses.end(), finding.code) != kCauses.end();
-  });
+  constexpr std::array kCauses{Code::inputs_in_other_unit, Code::input_far_off,    Code::inputs_are_angles,
+                               Code::rows_shifted,         Code::output_unsigned,  Code::output_copies_input,
+                               Code::output_clipped,       Code::output_saturated, Code::output_held,
+                               Code::output_stuck,         Code::output_repeated,  Code::output_wrapped};
+  return std::any_of(kCauses.begin(), kCauses.end(), [&](Code code) { return has(of_record, code); });
 }
 
 // The others, each with its line.
-Dataset without_rows(Dataset record, const std::vector<std::size_t>& rows) {
-  if (record.line.empty()) {
-    record.line.resize(record.rows());
-    std::iota(record.line.begin(), record.line.end(), std::size_t{1});
-  }
+Dataset without_rows(const Dataset& record, const std::vector<std::size_t>& rows) {
   std::vector<std::size_t> others;
   for (std::size_t row = 0; row < record.rows(); ++row) {
     if (!std::binary_search(rows.begin(), rows.end(), row)) others.push_back(row);
   }
-  return record.select(others);
+  Dataset part = record.select(others);
+  part.line = record.lines_of(others);
+  return part;
 }
 
 }  // namespace
@@ -116,12 +117,18 @@ Dataset without_rows(Dataset record, const std::vector<std::size_t>& rows) {
 std::vector<Finding> diagnose_record(const Dataset& record) {
   Findings findings;
   add(findings, find_other_input_unit(record));
-  add(findings, find_implausible_inputs(record));
-  const std::vector<std::size_t> unlike = rows_of_unlike_magnitude(record);
-  if (!unlike.empty()) findings.push_back(unlike_magnitude(record, unlike));
-  const Dataset plausible = unlike.empty() ? Dataset() : without_rows(record, unlike);
-  const Dataset& judged = unlike.empty() ? record : plausible;
-  if (!add(findings, find_misread_column(judged))) {
+  add(findings, find_too_large_inputs(record));
+  bool far_input = false;
+  const UnlikeRows unlike = rows_of_unlike_magnitude(record);
+  if (!unlike.rows.empty()) {
+    findings.push_back(unlike_magnitude(record, unlike));
+  } else {
+    far_input = add(findings, find_far_input(record));
+  }
+  add(findings, find_implausible_temperature(record));
+  const Dataset plausible = unlike.rows.empty() ? Dataset() : without_rows(record, unlike.rows);
+  const Dataset& judged = unlike.rows.empty() ? record : plausible;
+  if (!far_input && !add(findings, find_misread_column(judged))) {
     add(findings, find_output_limits(judged));
     add(findings, find_wrapped_output(judged));
   }
@@ -134,12 +141,15 @@ std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding
                                   const Split& split, const Identification& result, const SigmaUse& sigmas) {
   Findings findings;
   add(findings, find_few_degrees_of_freedom(result));
-  const FittedRows rows(record, split.training, result, sigmas.inputs_uncertain);
-  if (!is_explained(of_record) && !add(findings, find_misfit(rows, result))) {
+  FittedRows rows(record, split.training, result, sigmas.inputs_uncertain);
+  if (has(of_record, Code::temperature_implausible)) rows.leave_out_temperature();
+  bool explained = is_explained(of_record) || add(findings, find_misfit(rows, result));
+  if (!explained) {
     add(findings, find_implausible_scale_factor(rows, result));
-    add_residual_findings(findings, rows, result);
+    explained = add_residual_findings(findings, rows, result);
   }
   add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns));
+  if (!explained) add(findings, find_uneven_sigma(rows, result));
   add(findings, find_unlike_rows(rows, record, split, result));
   return findings;
 }

@@ -242,6 +242,26 @@ std::vector<Fault> faults() {
          r.acceleration[1][40] += 0.05;
        },
        linear_terms()},
+      {Code::input_far_off, "mark_across",
+       [](Dataset& r) {
+         r.acceleration[1][20] = -999.0;
+         r.acceleration[1][70] = -999.0;
+       }},
+      {Code::magnitude_unlike_others, "position_in_si",
+       [](Dataset& r) {
+         tumble(r, 1.0);
+         // Three readings of one position, in m/s².
+         for (const std::size_t row : {42U, 41U, 40U}) {
+           for (std::vector<double>& axis : r.acceleration) axis[row] = kStandardGravity * axis[40];
+           r.output[row] = r.output[40];
+         }
+       },
+       linear_terms()},
+      {Code::cross_axis_large, "six_degrees_in_volts",
+       [](Dataset& r) {
+         r.output_unit = find_unit("V").value();
+         add_to_output(r, [&](std::size_t row) { return 0.1 * r.acceleration[2][row]; });
+       }},
       {Code::temperature_implausible, "mark", [](Dataset& r) { r.temperature[7] = -999.0; }},
       {Code::gross_misfit, "two_units",
        [](Dataset& r) {
@@ -327,7 +347,7 @@ std::vector<Fault> faults() {
        }},
       {Code::sigma_output_uneven, "a_fifth_too_small",
        [](Dataset& r) {
-         for (std::size_t row = 0; row < r.rows(); row += 5) r.output_sigma[row] *= 1e-3;
+         for (std::size_t row = 0; row < r.rows(); row += 5) r.output_sigma[row] *= 0.1;
        }},
       {Code::sigma_inputs_unused, "one_axis",
        [](Dataset& r) { r.acceleration_sigma[0].assign(r.rows(), kNoise); }},

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -46,6 +48,150 @@ TEST(DiagnosisOfShift, NamesRowsAndDirection) {
   EXPECT_EQ(test::number(up, "shift"), 2.0);
   EXPECT_EQ(test::word(up, "direction"), "above");
   EXPECT_FALSE(test::has(diagnosed(record).identification, Code::gross_misfit));
+  Dataset other = clean_record();
+  std::rotate(other.output.begin(), other.output.end() - 1, other.output.end());
+  const Finding down = test::finding_of(diagnosed(other).identification, Code::rows_shifted);
+  EXPECT_EQ(test::number(down, "shift"), 1.0);
+  EXPECT_EQ(test::word(down, "direction"), "below");
+}
+
+// Few positions, exact or coarse, and no fault.
+TEST(DiagnosisOfShift, SaysNothingOfShortAndCoarseRecords) {
+  for (const std::size_t positions : {4U, 6U, 8U, 12U}) {
+    for (const std::size_t readings : {1U, 2U, 6U}) {
+      for (const double step : {0.0, 1e-4, 1e-3}) {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+          RandomStream random(seed, stream_id("short"));
+          Dataset record;
+          for (std::size_t row = 0; row < positions * readings; ++row) {
+            const double angle =
+                2.0 * std::numbers::pi * static_cast<double>(row / readings) / static_cast<double>(positions);
+            record.acceleration[0].push_back(std::cos(angle));
+            record.acceleration[1].push_back(std::sin(angle));
+            const double e = 0.01 + 0.999 * std::cos(angle) + 1e-4 * std::sin(angle) + 1e-5 * random.normal();
+            record.output.push_back(step > 0.0 ? step * std::nearbyint(e / step) : e);
+          }
+          EXPECT_TRUE(diagnose_record(record).empty()) << positions << " " << readings << " " << step;
+        }
+      }
+    }
+  }
+}
+
+// Local gravity that is wrong in one plane is no shift by a quarter turn.
+TEST(DiagnosisOfShift, TakesNoTurnForOne) {
+  Dataset record = clean_record();
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const double angle = static_cast<double>(row % 36) * std::numbers::pi / 18.0;
+    for (std::vector<double>& axis : record.acceleration) axis[row] = 0.0;
+    record.acceleration[0][row] = std::cos(angle);
+    record.acceleration[row < 150 ? 1 : 2][row] = std::sin(angle);
+    record.output[row] = (row < 150 ? 1.0 : 1.0015) * std::cos(angle);
+  }
+  EXPECT_FALSE(std::any_of(std::begin(diagnose_record(record)), std::end(diagnose_record(record)),
+                           [](const Finding& finding) { return finding.code == Code::rows_shifted; }));
+}
+
+// A coarse reading of a good instrument equals its inputs.
+TEST(DiagnosisOfCopies, JudgesFineOutputsOnly) {
+  for (const double step : {1e-3, 1e-7}) {
+    Dataset record = clean_record();
+    tumble(record, 1.0);
+    for (std::size_t row = 0; row < record.rows(); ++row) {
+      for (std::vector<double>& axis : record.acceleration)
+        axis[row] = step * std::nearbyint(axis[row] / step);
+      record.output[row] = record.acceleration[0][row];
+    }
+    EXPECT_EQ(diagnose_record(record).size(), step < 1e-5 ? 1U : 0U) << step;
+  }
+}
+
+TEST(DiagnosisOfTemperature, KnowsChambers) {
+  for (const auto& plateaus :
+       {std::vector<double>{-55.0, 25.0, 125.0}, std::vector<double>{-55.0, 125.0, 125.0}}) {
+    Dataset record = clean_record();
+    for (std::size_t row = 0; row < record.rows(); ++row) record.temperature[row] = plateaus[row / 100];
+    EXPECT_TRUE(diagnose_record(record).empty());
+    record.temperature.assign(record.rows(), -999.0);
+    ASSERT_EQ(diagnose_record(record).size(), 1U);
+    EXPECT_EQ(diagnose_record(record).front().lines.size(), record.rows());
+  }
+  Dataset kelvin = clean_record();
+  kelvin.temperature_unit = find_unit("K").value();
+  for (double& value : kelvin.temperature) value += 273.15;
+  EXPECT_TRUE(diagnose_record(kelvin).empty());
+  kelvin.temperature[5] = -1.0;
+  EXPECT_EQ(diagnose_record(kelvin).front().lines, std::vector<std::size_t>{kelvin.line_of(5)});
+}
+
+// An axis without acceleration is in no order, and marks are no temperature.
+TEST(DiagnosisOfTrends, SeesThemBesideAnEmptyAxis) {
+  Dataset record = clean_record();
+  std::fill(record.acceleration[2].begin(), record.acceleration[2].end(), 0.0);
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    const Acceleration a = record.at(row);
+    record.output[row] = 0.001 + a.i + 1e-4 * a.o + 1e-6 * static_cast<double>(row);
+  }
+  RandomStream random(1, stream_id("drift"));
+  for (double& e : record.output) e += kNoise * random.normal();
+  record.time.clear();
+  EXPECT_TRUE(test::has(diagnosed(record).identification, Code::residuals_follow_order));
+  record.temperature[3] = -999.0;
+  EXPECT_FALSE(test::has(diagnosed(record).identification, Code::residuals_follow_temperature));
+}
+
+// A drift is named, and not the levels of an input that were measured in some order.
+TEST(DiagnosisOfEffects, NamesTheSimplerCause) {
+  for (const std::size_t rows : {300U, 3000U}) {
+    Dataset record = test::make_twin({.rows = rows, .noise = kNoise, .seed = 3});
+    constexpr std::array kLevels{5.0, -3.0, 0.0, 8.0, -8.0, 3.0, -5.0, 1.5, -1.5};
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::size_t block = row * kLevels.size() / rows;
+      record.output[row] -= 6.86924e-5 * record.acceleration[1][row];
+      record.acceleration[1][row] = kLevels[block];
+      const double part = static_cast<double>(row) / static_cast<double>(rows);
+      record.output[row] =
+          0.001 + record.acceleration[0][row] + 1e-4 * record.acceleration[1][row] + 1e-4 * part;
+      record.time.push_back(static_cast<double>(row));
+    }
+    RandomStream random(rows, stream_id("levels"));
+    for (double& e : record.output) e += kNoise * random.normal();
+    const Identification result = diagnosed(record).identification;
+    EXPECT_TRUE(test::has(result, Code::residuals_follow_time)) << rows;
+    EXPECT_FALSE(test::has(result, Code::residuals_follow_inputs)) << rows;
+  }
+}
+
+// sigma_E that is right is not blamed for what something else explains.
+TEST(DiagnosisOfSigmas, BlamesNoneForOtherFaults) {
+  for (const auto& fault : std::vector<std::function<void(Dataset&)>>{
+           [](Dataset& r) { r.output[7] += 3e-3; },
+           [](Dataset& r) {
+             add_to_output(r, [&](std::size_t row) { return 2e-4 * r.time[row] / r.time.back(); });
+           },
+           [](Dataset& r) { clip(r, 10.0); }}) {
+    Dataset record = clean_record();
+    RandomStream random(2, stream_id("uneven"));
+    for (std::size_t row = 0; row < record.rows(); ++row) {
+      record.output_sigma[row] = kNoise * (row % 3 == 0 ? 3.0 : 1.0);
+      record.output[row] +=
+          std::sqrt(std::pow(record.output_sigma[row], 2) - kNoise * kNoise) * random.normal();
+    }
+    EXPECT_FALSE(test::has(diagnosed(record).identification, Code::sigma_output_uneven));
+    fault(record);
+    EXPECT_FALSE(test::has(diagnosed(record).identification, Code::sigma_output_uneven));
+  }
+}
+
+TEST(DiagnosisOfTime, LetsAClockStartAnewWithAMount) {
+  Dataset record = clean_record();
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    record.mount[row] = row < 150 ? "A" : "B";
+    record.time[row] = static_cast<double>(row % 150);
+  }
+  EXPECT_TRUE(diagnose_record(record).empty());
+  record.time[200] = 0.0;
+  EXPECT_EQ(diagnose_record(record).front().code, Code::time_backwards);
 }
 
 // One wrong row of a tumble determines what the others leave aliased; it makes no stuck output and no shift.

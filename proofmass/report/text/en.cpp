@@ -239,6 +239,7 @@ std::string_view sentence(Code code) noexcept {
     case Code::inputs_in_other_unit:
     case Code::inputs_are_angles:
     case Code::inputs_too_large:
+    case Code::input_far_off:
     case Code::magnitude_unlike_others:
     case Code::rows_shifted:
     case Code::output_unsigned:
@@ -256,6 +257,7 @@ std::string_view sentence(Code code) noexcept {
     case Code::scale_factor_negative:
     case Code::scale_factor_unlike_one:
     case Code::cross_axis_larger:
+    case Code::cross_axis_large:
     case Code::few_degrees_of_freedom:
     case Code::gross_misfit:
     case Code::rows_far_off:

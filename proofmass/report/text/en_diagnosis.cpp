@@ -16,7 +16,8 @@ constexpr std::string_view kRows =
     "a few rows are far off, the others are not. Use the method robust, and look at the rows that it "
     "suspects";
 constexpr std::string_view kMixed =
-    "the inputs of some rows are in another unit than those of the others (a ratio of 9.8, or of 1000). "
+    "the inputs or the outputs of some rows are in another unit than those of the others (a ratio of 9.8, or "
+    "of 1000). "
     "Convert them to one";
 constexpr std::array kPhrases{
     NamedPhrase{"hint", "output_si", "the output seems to be in m/s². State its unit: E[m/s^2]"},
@@ -48,6 +49,8 @@ constexpr std::array kPhrases{
         "the output hardly depends on the inputs. The wrong column is read, or rows are in another order"},
     NamedPhrase{"reason", "unknown",
                 "the inputs explain part of the output only. Plot the output against each input"},
+    NamedPhrase{"direction", "below", "below their inputs. Move the column of the outputs up by as many"},
+    NamedPhrase{"direction", "above", "above their inputs. Move the column of the outputs down by as many"},
     NamedPhrase{"shape", "step",
                 "as if the output jumped by {change:.3g} {unit} where {axis} changes its sign"},
     NamedPhrase{
@@ -90,15 +93,24 @@ std::string_view english_diagnosis(Code code) noexcept {
              "makes more than {limit:g} g: they are in another unit, or the wrong columns are read. State "
              "the "
              "unit in the header, as in Ai[ug]";
+    case Code::input_far_off:
+      return "{axis} is {value:g} {unit} in line {line:.0f}, more than {limit:g} times what it is in nearly "
+             "all "
+             "other rows ({count:.0f} {count:?row|rows} of that kind, and nothing between): the mark of a "
+             "missing "
+             "value, or a slip. Such a row decides alone about the terms of {axis}. Correct it or leave it "
+             "out: "
+             "{count:?line|lines} {lines}";
     case Code::magnitude_unlike_others:
       return "|A| is {value:.7g} {unit} in line {line:.0f}, and {others:.7g} {unit} in nearly all other rows "
-             "({count:.0f} {count:?row is|rows are} unlike them): an input is mistyped there. Such a row can "
+             "({count:.0f} {count:?row is|rows are} unlike them): an input is probably mistyped there. Such "
+             "a row can "
              "decide alone about terms that the others do not tell apart, whose values are then wrong by any "
              "amount. Correct the inputs or leave the {count:?row|rows} out: {count:?line|lines} {lines}";
     case Code::rows_shifted:
       return "the outputs follow the inputs of other rows: they stand {shift:.0f} {shift:?row|rows} "
-             "{direction} "
-             "their inputs. The coefficients mean nothing as they are. Move the column of the outputs";
+             "{direction}. "
+             "The coefficients mean nothing as they are";
     case Code::output_unsigned:
       return "the outputs have one sign, and follow the inputs closely if those with negative Ai are turned "
              "round: the meter or the file has lost their sign. The coefficients mean nothing as they are. "
@@ -149,11 +161,12 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "t stands still in {count:.0f} of {total:.0f} rows: rows pasted twice, or a clock that stopped: "
              "{count:?line|lines} {lines}";
     case Code::temperature_implausible:
-      return "T is {value:g} {unit} in line {line:.0f}, and about {middle:.3g} {unit} in the others "
-             "({count:.0f} {count:?row is|rows are} more than 100 K from there, or below absolute zero): a "
-             "mark "
-             "for a missing reading, or another unit. Whether the residuals follow T cannot be judged then. "
-             "Correct T or leave the {count:?row|rows} out: {count:?line|lines} {lines}";
+      return "T is {value:g} {unit} in line {line:.0f} ({count:.0f} {count:?row|rows}), more than {limit:g} "
+             "{unit} "
+             "from the other rows or below absolute zero: a mark for a missing reading, or another unit. "
+             "Whether "
+             "the residuals follow T is not judged then. Correct T, or leave the {count:?row|rows} out: "
+             "{count:?line|lines} {lines}";
     case Code::scale_factor_negative:
       return "Ki is negative ({value:.6g} {unit}): the output falls while the acceleration along the input "
              "axis grows. The input axis points the other way, or the leads of the output are swapped";
@@ -163,12 +176,18 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "{terms} ({value:.6g} {unit}) is larger than Ki ({ki:.6g} {unit}): the columns of the axes are "
              "swapped, or the instrument is mounted along another axis than the record says. Name the "
              "columns as they are";
+    case Code::cross_axis_large:
+      return "{terms} is {percent:.3g} % of Ki, as of an instrument turned by {angle:.3g}° from the axes of "
+             "the "
+             "record, or of outputs that stand beside the inputs of another position. Align the instrument "
+             "or turn "
+             "the inputs by that angle, or move the outputs to their own rows";
     case Code::few_degrees_of_freedom:
       return "{rows:.0f} rows leave {dof:.0f} {dof:?degree|degrees} of freedom: standard errors are "
              "themselves uncertain by about {percent:.0f} %, and a misfit cannot show. Use more rows, or "
              "fewer terms";
     case Code::gross_misfit:
-      return "R² is {r2:.3g}, below {limit:g}: the fit does not explain the outputs. {reason}";
+      return "the fit does not explain the outputs (R² is {r2:.3g}, below {limit:g}): {reason}";
     case Code::model_too_short:
       return "the residuals follow {count:.0f} {count:?term|terms} that the model lacks and that the rows "
              "can identify: "
@@ -179,7 +198,7 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "{count:.0f} {count:?row lies|rows lie} too far from the fit to be noise (line {line:.0f} by "
              "{residual:.3g} {unit}; the scale of the residuals is {scale:.3g} {unit}), and "
              "{count:?moves|move} the "
-             "coefficients. Correct what is wrong, leave it out, or use the method robust: "
+             "coefficients. Correct or leave out what is wrong, or use the method robust: "
              "{count:?line|lines} {lines}";
     case Code::residuals_follow_time:
       return "the residuals follow t: over the record they change by {change:.3g} {unit}, {errors:.3g} "
@@ -200,12 +219,13 @@ std::string_view english_diagnosis(Code code) noexcept {
              "radius, fixture) have this effect. They are common to all rows of a mount, and the standard "
              "errors, which take rows for independent, are too small";
     case Code::residuals_follow_inputs:
-      return "the residuals follow {axis}, beyond every term of the static model: {shape}. Without it their "
-             "standard deviation would fall from {before:.3g} to {after:.3g} {unit}. A readout that changes "
+      return "the residuals follow {axis}, beyond every term of the static model: {shape}. Their standard "
+             "deviation "
+             "is {before:.3g} {unit}, and {after:.3g} {unit} when this is taken off. A readout that changes "
              "its "
-             "range, a dead zone or hysteresis does so, and the coefficients of {axis} are then averages. "
-             "Check "
-             "the readout, identify the parts of the range apart, or use the method hybrid";
+             "range, a dead zone or hysteresis has this effect, and the coefficients of {axis} are then "
+             "averages. "
+             "Check the readout, identify the parts of the range apart, or use the method hybrid";
     case Code::scale_factor_follows_time:
       return "the scale factor follows t: over the record Ki changes by {change:.3g} {unit}, {errors:.3g} "
              "standard errors. Ki is then an average over the record. Wait until the instrument is warm, or "
@@ -230,8 +250,9 @@ std::string_view english_diagnosis(Code code) noexcept {
              "Align "
              "it, or correct the inputs of this mount by its angle";
     case Code::residuals_correlated:
-      return "the residuals {within}. Standard errors take rows for independent, "
-             "and are too small";
+      return "the residuals {within}. Standard errors take rows for independent, and are too small. Find "
+             "what "
+             "wanders, or judge by the errors of rows and mounts that are left out";
     case Code::sigma_inputs_unused:
       return "the columns sigma_A... are not used: {method} takes the inputs for exact. Their uncertainties "
              "explain {percent:.3g} % of the residuals' variance. eiv takes them into account";

@@ -70,8 +70,8 @@ std::size_t divided_at(const std::vector<double>& ascending) {
 
 // Whether rows with large uncertainties and rows with small ones scatter by the same multiple of them. The
 // terms go by the rows with small ones, and take up as many of their degrees of freedom.
-std::optional<Finding> find_uneven_sigma(const std::vector<double>& sigma, const std::vector<double>& scaled,
-                                         std::size_t terms, const Unit& unit) {
+std::optional<Finding> uneven_sigma(const std::vector<double>& sigma, const std::vector<double>& scaled,
+                                    std::size_t terms, const Unit& unit) {
   std::vector<std::size_t> order(sigma.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sigma[a] < sigma[b]; });
@@ -83,15 +83,15 @@ std::optional<Finding> find_uneven_sigma(const std::vector<double>& sigma, const
   if (ascending.back() < kOtherSigma * ascending.front() || small < terms + kLeastOfEither ||
       large < kLeastOfEither)
     return std::nullopt;
-  double of_small = 0.0;
-  double of_large = 0.0;
+  std::vector<double> of_small;
+  std::vector<double> of_large;
   for (std::size_t k = 0; k < order.size(); ++k)
-    (k < small ? of_small : of_large) += scaled[order[k]] * scaled[order[k]];
-  const auto small_dof = static_cast<double>(small - terms);
-  const auto large_dof = static_cast<double>(large);
-  of_small /= small_dof;
-  of_large /= large_dof;
-  const double ratio = of_small / of_large;
+    (k < small ? of_small : of_large).push_back(scaled[order[k]]);
+  const double small_scale = median_scale(of_small, terms);
+  const double large_scale = median_scale(of_large, 0);
+  const double small_dof = kMedianEfficiency * static_cast<double>(small - terms);
+  const double large_dof = kMedianEfficiency * static_cast<double>(large);
+  const double ratio = std::pow(small_scale / large_scale, 2);
   const double unlikely = ratio > 1.0 ? fisher_probability(ratio, small_dof, large_dof)
                                       : fisher_probability(1.0 / ratio, large_dof, small_dof);
   if ((ratio < kUneven && ratio * kUneven > 1.0) || unlikely > kUnlikelyUneven) return std::nullopt;
@@ -100,27 +100,28 @@ std::optional<Finding> find_uneven_sigma(const std::vector<double>& sigma, const
                  .figures = {{"count", large},
                              {"limit", ascending[small] / std::abs(unit.to_canonical)},
                              {"unit", unit.symbol},
-                             {"large", std::sqrt(of_large)},
-                             {"small", std::sqrt(of_small)}}};
+                             {"large", large_scale},
+                             {"small", small_scale}}};
+}
+
+// Of sigma_E with what the inputs' uncertainties add; empty where the record has none, or a row has neither.
+std::vector<double> standard_uncertainties(const Dataset& record, const std::vector<double>& from_inputs) {
+  std::vector<double> sigma(record.output_sigma);
+  for (std::size_t row = 0; row < sigma.size(); ++row) {
+    sigma[row] = std::hypot(sigma[row], from_inputs.empty() ? 0.0 : std::sqrt(from_inputs[row]));
+    if (!(sigma[row] > 0.0)) return {};
+  }
+  return sigma;
 }
 
 std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Identification& result,
                                                const std::vector<double>& from_inputs) {
   const Dataset& record = rows.record();
-  if (record.output_sigma.empty() || rows.dof() == 0) return std::nullopt;
-  std::vector<double> sigma(rows.rows());
-  for (std::size_t row = 0; row < sigma.size(); ++row) {
-    sigma[row] =
-        std::hypot(record.output_sigma[row], from_inputs.empty() ? 0.0 : std::sqrt(from_inputs[row]));
-    if (!(sigma[row] > 0.0)) return std::nullopt;
-  }
+  const std::vector<double> sigma = standard_uncertainties(record, from_inputs);
+  if (sigma.empty() || rows.dof() == 0) return std::nullopt;
   const bool robust = std::holds_alternative<RobustDetails>(result.details);
   const std::vector<double> scaled =
       scaled_residuals(rows, sigma, robust ? rows.weights() : std::span<const double>());
-  if (!robust) {
-    if (auto uneven = find_uneven_sigma(sigma, scaled, rows.basis().columns(), record.output_unit))
-      return uneven;
-  }
   const auto fitted = static_cast<double>(result.diagnostics.dof.value_or(rows.dof()));
   const double n = result.train ? static_cast<double>(result.train->n) : static_cast<double>(rows.rows());
   const double dof = static_cast<double>(rows.rows()) * std::min(1.0, fitted / n);
@@ -167,6 +168,16 @@ std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identificat
       findings.push_back(std::move(*found));
   }
   return findings;
+}
+
+std::optional<Finding> find_uneven_sigma(const FittedRows& rows, const Identification& result) {
+  if (!rows.has_noise() || std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
+  const Dataset& record = rows.record();
+  const std::vector<double> sigma =
+      standard_uncertainties(record, variance_from_inputs(record, result.static_model()));
+  if (sigma.empty()) return std::nullopt;
+  return uneven_sigma(record.output_sigma, scaled_residuals(rows, sigma, {}), rows.basis().columns(),
+                      record.output_unit);
 }
 
 }  // namespace proofmass

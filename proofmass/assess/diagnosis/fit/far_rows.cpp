@@ -102,7 +102,10 @@ AlikeResiduals alike_residuals(const FittedRows& rows, const RowNoise& noise, st
   for (std::size_t row = 0; row < alike.values.size(); ++row) {
     if (noise.left[row] > least) alike.values[row] = alike.residuals[row] / std::sqrt(noise.left[row]);
   }
-  alike.scale = median_scale(alike.values, rows.basis().columns());
+  // Where all rows have one variance, no less than rounding leaves.
+  const bool one_variance = rows.weights().empty() && rows.record().output_sigma.empty();
+  alike.scale =
+      std::max(median_scale(alike.values, rows.basis().columns()), one_variance ? rows.rounding() : 0.0);
   return alike;
 }
 

@@ -19,9 +19,10 @@
 namespace proofmass {
 namespace {
 
-constexpr double kBound = 2.5;                // of bounded residuals
-constexpr double kRounding = 1e-12;           // of the largest output
-constexpr double kRoundingOfStep = 0.5;       // of the output's step; rounding alone has 0.29
+constexpr double kBound = 2.5;           // of bounded residuals
+constexpr double kRounding = 1e-12;      // of the largest output
+constexpr double kRoundingOfStep = 0.5;  // of the step of outputs or inputs; rounding alone has 0.29
+constexpr double kLeastOfInputStep = 0.15;
 constexpr double kRoundingOfLeverage = 1e-9;  // below it a row is fitted whatever its output
 constexpr std::size_t kLeastDof = 8;
 constexpr double kPlausible = 1e-3;  // probability above which no test here finds anything
@@ -42,6 +43,15 @@ double rounding_of(const Dataset& record) {
   double largest = 0.0;
   for (const double e : record.output) largest = std::max(largest, std::abs(e));
   return std::max(kRounding * largest, kRoundingOfStep * output_resolution(record).step);
+}
+
+// The step in which Ai is written, in the output's canonical unit.
+double input_step_of(const Dataset& record, const Identification& result) {
+  for (const Coefficient& c : result.coefficients) {
+    if (c.term == Term::Ki && c.identified)
+      return std::abs(c.value) * record.acceleration_resolution[static_cast<std::size_t>(Axis::input)];
+  }
+  return 0.0;
 }
 
 std::vector<std::size_t> some_of(std::span<const std::size_t> training) {
@@ -72,6 +82,7 @@ FittedRows::FittedRows(const Dataset& record, std::span<const std::size_t> train
       residuals_(record_.output),
       basis_(orthonormal_rows(record_, identified_terms(result))),
       rounding_(rounding_of(record_)),
+      input_step_(input_step_of(record_, result)),
       inputs_uncertain_(inputs_uncertain) {
   const std::vector<double>& weights = result.row_weights.values;
   for (const std::size_t row : thinned_rows(weights.size())) weights_.push_back(weights[row]);
@@ -89,7 +100,10 @@ void FittedRows::take_leverages() {
   }
   dof_ = residuals_.size() - std::min(residuals_.size(), basis_.columns());
   scale_ = median_scale(residuals_, basis_.columns());
-  has_noise_ = dof_ >= kLeastDof && scale_ > rounding_;
+  // Nominal inputs in round numbers have coarse steps and no rounding; then residuals are far below it.
+  const bool inputs_rounded =
+      scale_ > kLeastOfInputStep * input_step_ && scale_ < kRoundingOfStep * input_step_;
+  has_noise_ = dof_ >= kLeastDof && scale_ > rounding_ && !inputs_rounded;
 }
 
 std::vector<double> FittedRows::residuals_by(std::span<const double> weights) const {

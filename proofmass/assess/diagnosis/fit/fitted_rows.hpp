@@ -26,13 +26,15 @@ class FittedRows {
              bool inputs_uncertain);
 
   [[nodiscard]] const Dataset& record() const noexcept { return record_; }
+  // Where it is none: nothing is then sought along it.
+  void leave_out_temperature() { record_.temperature.clear(); }
   [[nodiscard]] std::span<const double> residuals() const noexcept { return residuals_; }
   [[nodiscard]] std::size_t rows() const noexcept { return residuals_.size(); }
   [[nodiscard]] std::size_t dof() const noexcept { return dof_; }
   [[nodiscard]] double scale() const noexcept { return scale_; }  // robust, of the residuals
   // Below it residuals are the rounding of arithmetic or of the outputs.
   [[nodiscard]] double rounding() const noexcept { return rounding_; }
-  // Whether the residuals are more than rounding, and enough to show a pattern.
+  // Whether the residuals are more than rounding, of the inputs too, and enough to show a pattern.
   [[nodiscard]] bool has_noise() const noexcept { return has_noise_; }
   // Rows whose columns are orthonormal and span the terms of the fit: rows() x terms.
   [[nodiscard]] const Matrix& basis() const noexcept { return basis_; }
@@ -67,6 +69,7 @@ class FittedRows {
   std::size_t dof_ = 0;
   double scale_ = 0.0;
   double rounding_ = 0.0;
+  double input_step_ = 0.0;
   bool has_noise_ = false;
   bool inputs_uncertain_ = false;
 };

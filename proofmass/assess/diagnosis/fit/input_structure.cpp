@@ -154,6 +154,18 @@ AxisStructure structure_along(const FittedRows& rows, Axis axis) {
   return found;
 }
 
+double deviation(const FittedRows& rows) {
+  return std::sqrt(sum_of_squares(rows.residuals()) /
+                   static_cast<double>(std::max<std::size_t>(1, rows.dof())));
+}
+
+// How far what the columns explain lies from zero, in standard errors, with allowance for their number.
+double errors_of(const FittedRows& rows, const FittedRows& left) {
+  const double explained = sum_of_squares(rows.residuals()) - sum_of_squares(left.residuals());
+  const auto columns = static_cast<double>(rows.dof() - left.dof());
+  return std::sqrt(std::max(0.0, explained / std::pow(deviation(left), 2) - columns));
+}
+
 }  // namespace
 
 std::optional<ResidualEffect> find_input_structure(const FittedRows& fitted) {
@@ -169,23 +181,16 @@ std::optional<ResidualEffect> find_input_structure(const FittedRows& fitted) {
   const FittedRows left = rows.with_columns(columns);
   const Unit& unit = rows.record().output_unit;
   const double to_declared = 1.0 / std::abs(unit.to_canonical);
-  const auto deviation = [to_declared](const FittedRows& of) {
-    return std::sqrt(sum_of_squares(of.residuals()) /
-                     static_cast<double>(std::max<std::size_t>(1, of.dof()))) *
-           to_declared;
-  };
-  const double change = 2.0 * std::abs(found.shape.slope) * to_declared;
-  return ResidualEffect{
-      .finding = {.code = Code::residuals_follow_inputs,
-                  .severity = Severity::warning,
-                  .figures = {{"axis", std::string(axis_name(found.axis))},
-                              {"shape", found.shape.name},
-                              {"change", change},
-                              {"before", deviation(rows)},
-                              {"after", deviation(left)},
-                              {"unit", unit.symbol}}},
-      .errors = deviation(rows) / deviation(left) * std::sqrt(static_cast<double>(rows.dof())),
-      .columns = std::move(columns)};
+  return ResidualEffect{.finding = {.code = Code::residuals_follow_inputs,
+                                    .severity = Severity::warning,
+                                    .figures = {{"axis", std::string(axis_name(found.axis))},
+                                                {"shape", found.shape.name},
+                                                {"change", 2.0 * std::abs(found.shape.slope) * to_declared},
+                                                {"before", deviation(fitted) * to_declared},
+                                                {"after", deviation(left) * to_declared},
+                                                {"unit", unit.symbol}}},
+                        .errors = errors_of(rows, left),
+                        .columns = std::move(columns)};
 }
 
 }  // namespace proofmass

@@ -16,8 +16,9 @@ namespace {
 constexpr double kUnlikelyEffect =
     2.5e-5;  // of all mounts together, in each of two tests of each of four kinds
 constexpr std::size_t kLeastMountRows = 3;
-constexpr double kLeastLeft = 0.01;     // of an effect's square: less lies within the terms
-constexpr double kWorthATest = 3.0;     // standard errors, roughly
+constexpr double kLeastLeft = 0.01;  // of an effect's square: less lies within the terms
+constexpr double kWorthATest = 3.0;  // standard errors, roughly
+constexpr std::size_t kMostJudged = 50;
 constexpr double kPlain = 4.0;          // standard errors, of a mount that is counted
 constexpr double kMostJointWork = 1e9;  // operations
 using MountRows = std::vector<std::vector<std::size_t>>;
@@ -38,13 +39,13 @@ struct MountEffect {
 struct Effect {
   std::size_t mount = 0;
   double size = 0.0;    // of the slope along the shape, in the output's canonical unit
+  double left = 0.0;    // of the shape's square, beyond the terms
   double errors = 0.0;  // in standard errors
   double probability = 1.0;
 };
 
-// The slope of a mount's residuals along the shape, against the noise of all rows and, lest a mount with more
-// of it than others looks like an effect, against that of the mount's own rows.
-Effect effect_of(const FittedRows& rows, const Kind& kind, const MountRows& mounts, std::size_t mount) {
+// The slope of a mount's residuals along the shape, by the scale of the residuals.
+Effect rough_effect(const FittedRows& rows, const Kind& kind, const MountRows& mounts, std::size_t mount) {
   const std::vector<std::size_t>& members = mounts[mount];
   double before = 0.0;
   double along = 0.0;
@@ -58,10 +59,15 @@ Effect effect_of(const FittedRows& rows, const Kind& kind, const MountRows& moun
     for (const std::size_t row : members) part += rows.basis()(row, c) * kind.shape[row];
     left -= part * part;
   }
-  if (!(left > kLeastLeft * before)) return {};
-  Effect effect{.mount = mount, .size = along / left, .errors = along / std::sqrt(left) / rows.scale()};
-  if (std::abs(effect.errors) < kWorthATest) return effect;
+  if (!(left > kLeastLeft * before)) return {.mount = mount};
+  return {
+      .mount = mount, .size = along / left, .left = left, .errors = along / std::sqrt(left) / rows.scale()};
+}
 
+// The same against the noise of all rows and, lest a mount with more of it than others looks like an effect,
+// against that of the mount's own rows.
+void judge(const FittedRows& rows, const Kind& kind, const MountRows& mounts, Effect& effect) {
+  const std::vector<std::size_t>& members = mounts[effect.mount];
   std::vector<double> shape(rows.rows(), 0.0);
   for (const std::size_t row : members) shape[row] = kind.shape[row];
   const std::vector<double> weights = rows.beyond_terms(std::move(shape));
@@ -72,10 +78,23 @@ Effect effect_of(const FittedRows& rows, const Kind& kind, const MountRows& moun
     squares += std::max(rest * rest, rows.rounding() * rows.rounding());
   }
   const double own_dof = static_cast<double>(members.size()) - 1.0;
-  const double own = effect.size * std::sqrt(left / (squares / own_dof));
+  const double own = effect.size * std::sqrt(effect.left / (squares / own_dof));
   effect.errors = departure.errors;
   effect.probability = std::max(departure.probability, student_probability(own, own_dof));
-  return effect;
+}
+
+// Of each mount; judged where it is worth it, of many mounts the strongest.
+std::vector<Effect> effects_of(const FittedRows& rows, const Kind& kind, const MountRows& mounts) {
+  std::vector<Effect> effects;
+  effects.reserve(mounts.size());
+  for (std::size_t mount = 0; mount < mounts.size(); ++mount)
+    effects.push_back(rough_effect(rows, kind, mounts, mount));
+  std::stable_sort(effects.begin(), effects.end(),
+                   [](const Effect& a, const Effect& b) { return std::abs(a.errors) > std::abs(b.errors); });
+  for (std::size_t k = 0; k < std::min(effects.size(), kMostJudged); ++k) {
+    if (std::abs(effects[k].errors) >= kWorthATest) judge(rows, kind, mounts, effects[k]);
+  }
+  return effects;
 }
 
 MountRows mounts_to_judge(const Dataset& record) {
@@ -128,9 +147,7 @@ std::vector<Kind> kinds_of(const Dataset& record) {
 }
 
 std::optional<MountEffect> effect_of_kind(const FittedRows& rows, const Kind& kind, const MountRows& mounts) {
-  std::vector<Effect> effects;
-  for (std::size_t mount = 0; mount < mounts.size(); ++mount)
-    effects.push_back(effect_of(rows, kind, mounts, mount));
+  const std::vector<Effect> effects = effects_of(rows, kind, mounts);
   const Effect strongest = *std::max_element(
       effects.begin(), effects.end(),
       [](const Effect& a, const Effect& b) { return std::abs(a.errors) < std::abs(b.errors); });

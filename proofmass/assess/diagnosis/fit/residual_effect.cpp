@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/assess/diagnosis/fit/residual_effect.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -41,6 +42,13 @@ std::vector<ResidualEffect> find_effects(const FittedRows& rows, std::span<const
   }
   for (std::size_t a = 0; a < found.size(); ++a) {
     for (std::size_t b = a + 1; b < found.size(); ++b) compare(rows, found[a], found[b]);
+  }
+  // What dropped an effect may have been dropped itself.
+  for (Found& one : found) {
+    if (one.stays) continue;
+    one.stays = std::all_of(found.begin(), found.end(), [&](const Found& other) {
+      return !other.stays || stays_beside(rows, one, other);
+    });
   }
   std::vector<ResidualEffect> effects;
   for (Found& one : found) {

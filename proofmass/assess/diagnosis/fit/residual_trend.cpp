@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "proofmass/assess/diagnosis/fit/joint_departure.hpp"
@@ -81,6 +82,7 @@ Trend strongest_trend(const FittedRows& rows, const RowColumns& polynomials,
 }
 
 bool is_monotone(const std::vector<double>& values) {
+  if (values.front() == values.back()) return false;
   return std::is_sorted(values.begin(), values.end()) || std::is_sorted(values.rbegin(), values.rend());
 }
 

@@ -18,6 +18,7 @@ constexpr double kNear = 0.005;        // to a ratio of units: local gravity, an
 constexpr double kMuchCloser = 9.0;    // in what of the outputs' variance is not explained
 constexpr double kLeastErrorsOfScale = 5.0;  // standard errors
 constexpr double kTurned = 0.02;             // of sqrt(Ki² + Ko² + Kp²) from one
+constexpr double kLargeCross = 0.05;         // of Ki: three degrees
 constexpr double kLeastTurn = 0.1;           // cross axis over Ki, and its inverse
 
 // What Ki is when a quantity is in another unit than it is taken for, in g.
@@ -83,6 +84,25 @@ Finding unlike_one(const FittedRows& rows, const Identification& result, double 
   return finding;
 }
 
+// Of an instrument that is not aligned; of any unit.
+std::optional<Finding> large_cross_axis(const Identification& result, const Coefficient& ki) {
+  const Coefficient* largest = nullptr;
+  for (const Term cross : {Term::Ko, Term::Kp}) {
+    const Coefficient* const found = coefficient_of(result, cross);
+    if (found != nullptr && (largest == nullptr || std::abs(found->value) > std::abs(largest->value)))
+      largest = found;
+  }
+  if (largest == nullptr) return std::nullopt;
+  const double ratio = std::abs(largest->value / ki.value);
+  const double doubt = kLeastErrorsOfScale * (error_of(*largest) + ratio * error_of(ki)) / std::abs(ki.value);
+  if (!(ratio - doubt > kLargeCross)) return std::nullopt;
+  return Finding{
+      .code = Code::cross_axis_large,
+      .severity = Severity::warning,
+      .terms = {largest->term},
+      .figures = {{"percent", 100.0 * ratio}, {"angle", std::atan(ratio) * 180.0 / std::numbers::pi}}};
+}
+
 std::optional<Finding> larger_cross_axis(const Identification& result, const Coefficient& ki, Term cross,
                                          const std::string& unit) {
   const Coefficient* const found = coefficient_of(result, cross);
@@ -119,6 +139,7 @@ std::vector<Finding> find_implausible_scale_factor(const FittedRows& rows, const
     if (auto found = larger_cross_axis(result, *ki, cross, symbol)) findings.push_back(std::move(*found));
   }
   if (!findings.empty()) return findings;  // whatever Ki is then, it is not the scale factor
+  if (auto found = large_cross_axis(result, *ki)) findings.push_back(std::move(*found));
   if (ki->value < -kLeastErrorsOfScale * error_of(*ki)) {
     findings.push_back({.code = Code::scale_factor_negative,
                         .severity = Severity::warning,

@@ -33,6 +33,7 @@ struct Pairs {
   std::vector<std::size_t> same;    // rows that have an earlier one's output too
   std::vector<double> differences;  // of the outputs of rows and the last ones before with their inputs
   std::size_t first_original = 0;   // what the first of `same` repeats
+  bool in_sequence = true;          // all rows with the inputs of an earlier one stand below one of these
 };
 
 // Whether hardly two rows have the same value along the record's first axis, as in random directions: then
@@ -60,6 +61,7 @@ Pairs pairs_of(const Dataset& record) {
     before[row] = before[set_up[row]] + 1;
     ++pairs.rows;
     pairs.count += before[row];
+    pairs.in_sequence = pairs.in_sequence && set_up[row - 1] == set_up[row];
     const double difference = record.output[row] - record.output[set_up[row]];
     if (difference != 0.0) pairs.differences.push_back(difference);
     if (equal[row] == row) continue;
@@ -82,7 +84,7 @@ double scale_beyond_terms(const Dataset& record) {
 bool explained_by_rounding(const Pairs& pairs, const Dataset& record) {
   const OutputResolution resolution = output_resolution(record);
   if (pairs.differences.empty()) {
-    if (has_continuous_inputs(record)) return false;
+    if (has_continuous_inputs(record) && !pairs.in_sequence) return false;
     const bool planned = 2 * pairs.rows >= record.rows();
     if (planned && resolution.step >= kFineOutput * resolution.range) return true;
     if (planned) return scale_beyond_terms(record) < kRoundingNoise * resolution.step;

@@ -9,19 +9,22 @@
 #include <string>
 #include <vector>
 
+#include "proofmass/assess/diagnosis/record/linear_fit.hpp"
+#include "proofmass/assess/diagnosis/record/output_resolution.hpp"
 #include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
 #include "proofmass/assess/diagnosis/record/unexplained.hpp"
 
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kLeastSampled = 6;
+constexpr std::size_t kLeastSampled = 12;      // rows, that leave eight degrees of freedom beside four terms
 constexpr double kExplains = 0.1;              // of the outputs' variance, that another reading may leave
 constexpr double kMuchCloserOtherwise = 25.0;  // in what is left of the outputs' variance
 constexpr double kCloserAsAngle = 100.0;       // a sine bends as an output does that saturates
 constexpr double kLeastAngle = 90.0;           // degrees, of an axis' range
 constexpr std::size_t kMostShift = 10;         // rows
-constexpr double kSameOutput = 1e-12;          // of the largest output
+constexpr double kSameOutput = 1e-12;          // of each output
+constexpr double kFineStep = 1e-5;             // of the range of the outputs
 
 struct AngleUnit {
   const char* symbol;
@@ -35,19 +38,23 @@ struct AngleFunction {
 constexpr std::array kAngleFunctions{AngleFunction{"cosine", [](double x) { return std::cos(x); }},
                                      AngleFunction{"sine", [](double x) { return std::sin(x); }}};
 
+// As the record has the numbers, whatever their units; where they are written finely enough for an
+// instrument's own bias and scale factor to show.
 std::optional<Finding> find_copy(const Dataset& record) {
-  if (!record.output_unit.is_acceleration()) return std::nullopt;
-  double largest = 0.0;
-  for (const double e : record.output) largest = std::max(largest, std::abs(e));
+  const OutputResolution resolution = output_resolution(record);
+  if (resolution.step > kFineStep * resolution.range) return std::nullopt;
   for (const Axis axis : record.axes()) {
-    const std::vector<double>& a = record.along(axis);
-    const auto differs = [&](double e, double input) { return std::abs(e - input) > kSameOutput * largest; };
-    if (!std::equal(record.output.begin(), record.output.end(), a.begin(),
-                    [&](double e, double input) { return !differs(e, input); }))
-      continue;
-    return Finding{.code = Code::output_copies_input,
-                   .severity = Severity::warning,
-                   .figures = {{"axis", std::string(axis_name(axis))}}};
+    const bool same = std::equal(record.output.begin(), record.output.end(), record.along(axis).begin(),
+                                 [&](double e, double a) {
+                                   const double output = e / record.output_unit.to_canonical;
+                                   return std::abs(output - a / record.acceleration_unit.to_canonical) <=
+                                          kSameOutput * std::abs(output);
+                                 });
+    if (same) {
+      return Finding{.code = Code::output_copies_input,
+                     .severity = Severity::warning,
+                     .figures = {{"axis", std::string(axis_name(axis))}}};
+    }
   }
   return std::nullopt;
 }
@@ -102,15 +109,21 @@ Shifted with_shift(const Dataset& record, const std::vector<std::size_t>& sample
     outputs.push_back(row);
     inputs.push_back(static_cast<std::size_t>(of_inputs));
   }
+  if (outputs.size() < kLeastSampled) return {};
   const Dataset own = record.select(outputs);
   Dataset moved = record.select(inputs);
   const double others = unexplained_without_far_rows(moved);
   moved.output = own.output;
+  const LinearFit fit = fit_linear(moved);
+  if (std::abs(fit.scale_factor) <= fit.cross_axes) return {};  // a tumble that is turned
   return {.left = unexplained_by_linear_terms(moved),
           .unshifted = std::min(others, unexplained_without_far_rows(own))};
 }
 
-std::optional<Finding> find_shift(const Dataset& record, const std::vector<std::size_t>& sample) {
+// Not of a record whose own inputs explain its outputs.
+std::optional<Finding> find_shift(const Dataset& record, const std::vector<std::size_t>& sample,
+                                  double unexplained) {
+  if (unexplained * kMuchCloserOtherwise < kExplains) return std::nullopt;
   std::ptrdiff_t found = 0;
   double least = kExplains;
   const auto most = static_cast<std::ptrdiff_t>(std::min(kMostShift, record.rows() / 3));
@@ -149,7 +162,7 @@ std::optional<Finding> find_misread_column(const Dataset& record) {
   const Dataset rows = record.select(sample);
   const double unexplained = unexplained_by_linear_terms(rows);
   if (auto angles = find_angles(rows, unexplained)) return angles;
-  if (auto shift = find_shift(record, sample)) return shift;
+  if (auto shift = find_shift(record, sample, unexplained)) return shift;
   return find_lost_sign(rows, unexplained);
 }
 

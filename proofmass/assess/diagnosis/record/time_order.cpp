@@ -37,11 +37,18 @@ Finding disorder(Code code, const Dataset& record, const std::vector<std::size_t
           .figures = {{"count", rows.size()}, {"total", record.rows()}}};
 }
 
+// A clock that starts anew with a mount does not run backwards.
+void leave_out_first_of_mounts(const Dataset& record, std::vector<std::size_t>& rows) {
+  for (const std::vector<std::size_t>& members : rows_by_mount(record.mount))
+    std::erase(rows, members.front());
+}
+
 }  // namespace
 
 std::optional<Finding> find_time_disorder(const Dataset& record) {
   if (record.time.size() < 2) return std::nullopt;
-  const Steps steps = steps_of(record.time);
+  Steps steps = steps_of(record.time);
+  if (!steps.backwards.empty()) leave_out_first_of_mounts(record, steps.backwards);
   if (!steps.backwards.empty()) return disorder(Code::time_backwards, record, steps.backwards);
   if (steps.still.empty()) return std::nullopt;
   const auto rows = static_cast<double>(record.rows());

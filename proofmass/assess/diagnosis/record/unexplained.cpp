@@ -42,7 +42,7 @@ double unexplained_without_far_rows(const Dataset& rows) {
   std::nth_element(ordered.begin(), limit, ordered.end());
   std::vector<std::size_t> near;
   for (std::size_t row = 0; row < sizes.size(); ++row) {
-    if (sizes[row] < *limit) near.push_back(row);
+    if (sizes[row] <= *limit) near.push_back(row);
   }
   return unexplained_by_linear_terms(rows.select(near));
 }
