@@ -18,7 +18,7 @@ constexpr double kNear = 0.005;        // to a ratio of units: local gravity, an
 constexpr double kMuchCloser = 9.0;    // in what of the outputs' variance is not explained
 constexpr double kLeastErrorsOfScale = 5.0;  // standard errors
 constexpr double kTurned = 0.02;             // of sqrt(Ki² + Ko² + Kp²) from one
-constexpr double kLargeCross = 0.05;         // of Ki: three degrees
+constexpr double kLargeMisalignment = 0.05;         // of Ki: three degrees
 constexpr double kLeastTurn = 0.1;           // cross axis over Ki, and its inverse
 
 // What Ki is when a quantity is in another unit than it is taken for, in g.
@@ -95,7 +95,7 @@ std::optional<Finding> large_cross_axis(const Identification& result, const Coef
   if (largest == nullptr) return std::nullopt;
   const double ratio = std::abs(largest->value / ki.value);
   const double doubt = kLeastErrorsOfScale * (error_of(*largest) + ratio * error_of(ki)) / std::abs(ki.value);
-  if (!(ratio - doubt > kLargeCross)) return std::nullopt;
+  if (!(ratio - doubt > kLargeMisalignment)) return std::nullopt;
   return Finding{
       .code = Code::cross_axis_large,
       .severity = Severity::warning,
