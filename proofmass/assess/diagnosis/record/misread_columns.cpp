@@ -21,6 +21,7 @@ constexpr std::size_t kLeastSampled = 12;      // rows, that leave eight degrees
 constexpr double kExplains = 0.1;              // of the outputs' variance, that another reading may leave
 constexpr double kMuchCloserOtherwise = 25.0;  // in what is left of the outputs' variance
 constexpr double kCloserAsAngle = 100.0;       // a sine bends as an output does that saturates
+constexpr double kExplainedAlready = 1e-4;     // of the outputs' variance, that is left
 constexpr double kLeastAngle = 90.0;           // degrees, of an axis' range
 constexpr std::size_t kMostShift = 10;         // rows
 constexpr double kSameOutput = 1e-12;          // of each output
@@ -77,7 +78,9 @@ double left_by_angles(const Dataset& rows, const AngleUnit& unit, const AngleFun
   return any ? unexplained_by_linear_terms(turned) : 1.0;
 }
 
+// Not of a record whose own inputs explain its outputs: a few values are as well on a sine as on a line.
 std::optional<Finding> find_angles(const Dataset& rows, double unexplained) {
+  if (unexplained < kExplainedAlready) return std::nullopt;
   for (const AngleUnit& unit : kAngleUnits) {
     for (const AngleFunction& function : kAngleFunctions) {
       const double left = left_by_angles(rows, unit, function);
