@@ -18,7 +18,7 @@ constexpr double kNear = 0.005;        // to a ratio of units: local gravity, an
 constexpr double kMuchCloser = 9.0;    // in what of the outputs' variance is not explained
 constexpr double kLeastErrorsOfScale = 5.0;  // standard errors
 constexpr double kTurned = 0.02;             // of sqrt(Ki² + Ko² + Kp²) from one
-constexpr double kLargeMisalignment = 0.05;         // of Ki: three degrees
+constexpr double kLargeMisalignment = 0.05;  // of Ki: three degrees
 constexpr double kLeastTurn = 0.1;           // cross axis over Ki, and its inverse
 
 // What Ki is when a quantity is in another unit than it is taken for, in g.
