@@ -79,12 +79,12 @@ bool add_residual_findings(Findings& findings, const FittedRows& rows, const Ide
     return true;
   }
   std::vector<ResidualEffect> effects = find_effects(rows, sought);
-  const bool far = add(findings, find_far_rows(without_effects(rows, effects), result));
-  const bool masked = !far && effects.empty() && add(findings, find_masked_rows(rows, result));
-  const bool correlated = !far && effects.empty() && !masked && add(findings, find_serial_correlation(rows));
-  const bool any = far || masked || correlated || !effects.empty();
+  const bool alone = effects.empty();
+  bool any = add(findings, alone ? find_far_rows(rows, result, true)
+                                 : find_far_rows(without_effects(rows, effects), result, false));
+  if (alone && !any) any = add(findings, find_serial_correlation(rows));
   add(findings, std::move(effects));
-  return any;
+  return any || !alone;
 }
 
 bool has(std::span<const Finding> findings, Code code) {
@@ -148,8 +148,7 @@ std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding
     add(findings, find_implausible_scale_factor(rows, result));
     explained = add_residual_findings(findings, rows, result);
   }
-  add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns));
-  if (!explained) add(findings, find_uneven_sigma(rows, result));
+  add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns, explained));
   add(findings, find_unlike_rows(rows, record, split, result));
   return findings;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "proofmass/assess/diagnosis/record/output_resolution.hpp"
@@ -21,11 +22,13 @@ constexpr double kDoubt = 4.5;              // standard errors of the ratio
 constexpr double kFar = 0.1;                // of the ratio from one
 constexpr double kMedianEfficiency = 0.37;  // of the scale by the median of normal residuals
 constexpr double kAlike = 1.01;             // greatest over least uncertainty of rows that all weigh alike
-constexpr double kUneven = 4.0;  // of chi² per degree of freedom between rows with large and small sigma
+constexpr double kUneven = 4.0;             // of squared scales between rows with large and small sigma
 constexpr double kUnlikelyUneven = 1e-6;
 constexpr double kOtherSigma = 2.0;        // greatest over least uncertainty, for rows to be compared
 constexpr std::size_t kLeastOfEither = 5;  // rows, beside those that the terms take
 constexpr double kInputsMatter = 0.25;     // of the residuals' variance
+
+bool is_robust(const Identification& result) { return std::holds_alternative<RobustDetails>(result.details); }
 
 // The variance that the inputs' uncertainties give each output; empty where the record has none.
 std::vector<double> variance_from_inputs(const Dataset& record, const StaticModel& model) {
@@ -42,7 +45,9 @@ std::vector<double> variance_from_inputs(const Dataset& record, const StaticMode
 // The residuals over their standard uncertainties. A fit whose weights are other ones spreads the noise of a
 // row over rows with less; what a fit by these uncertainties would take up again is taken off.
 std::vector<double> scaled_residuals(const FittedRows& rows, const std::vector<double>& sigma,
-                                     std::span<const double> robust_weights) {
+                                     const Identification& result) {
+  const std::span<const double> robust_weights =
+      is_robust(result) ? rows.weights() : std::span<const double>();
   const auto [least, greatest] = std::minmax_element(sigma.begin(), sigma.end());
   std::vector<double> scaled(rows.residuals().begin(), rows.residuals().end());
   if (*greatest >= kAlike * *least) {
@@ -68,8 +73,9 @@ std::size_t divided_at(const std::vector<double>& ascending) {
   return widest;
 }
 
-// Whether rows with large uncertainties and rows with small ones scatter by the same multiple of them. The
-// terms go by the rows with small ones, and take up as many of their degrees of freedom.
+// Whether rows with large uncertainties and rows with small ones scatter by the same multiple of them, by the
+// median, so that a few outliers do not matter. The terms go by the rows with small ones, and take up as many
+// of their degrees of freedom.
 std::optional<Finding> uneven_sigma(const std::vector<double>& sigma, const std::vector<double>& scaled,
                                     std::size_t terms, const Unit& unit) {
   std::vector<std::size_t> order(sigma.size());
@@ -114,14 +120,10 @@ std::vector<double> standard_uncertainties(const Dataset& record, const std::vec
   return sigma;
 }
 
-std::optional<Finding> find_wrong_output_sigma(const FittedRows& rows, const Identification& result,
-                                               const std::vector<double>& from_inputs) {
+std::optional<Finding> wrong_sigma(const FittedRows& rows, const Identification& result,
+                                   const std::vector<double>& scaled) {
   const Dataset& record = rows.record();
-  const std::vector<double> sigma = standard_uncertainties(record, from_inputs);
-  if (sigma.empty() || rows.dof() == 0) return std::nullopt;
-  const bool robust = std::holds_alternative<RobustDetails>(result.details);
-  const std::vector<double> scaled =
-      scaled_residuals(rows, sigma, robust ? rows.weights() : std::span<const double>());
+  const bool robust = is_robust(result);
   const auto fitted = static_cast<double>(result.diagnostics.dof.value_or(rows.dof()));
   const double n = result.train ? static_cast<double>(result.train->n) : static_cast<double>(rows.rows());
   const double dof = static_cast<double>(rows.rows()) * std::min(1.0, fitted / n);
@@ -156,28 +158,24 @@ std::optional<Finding> find_unused_input_sigma(const FittedRows& rows, const Ide
 }  // namespace
 
 std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identification& result,
-                                       bool input_columns_used) {
+                                       bool input_columns_used, bool explained) {
   std::vector<Finding> findings;
-  const std::vector<double> from_inputs = variance_from_inputs(rows.record(), result.static_model());
+  const auto add = [&findings](std::optional<Finding> found) {
+    if (found) findings.push_back(std::move(*found));
+  };
+  const Dataset& record = rows.record();
+  const std::vector<double> from_inputs = variance_from_inputs(record, result.static_model());
+  const std::vector<double> sigma = standard_uncertainties(record, from_inputs);
+  const bool has_sigma = !sigma.empty() && rows.dof() > 0;
+  const std::vector<double> scaled =
+      has_sigma ? scaled_residuals(rows, sigma, result) : std::vector<double>();
   // Where the method has the inputs' uncertainties from its options, the record does not tell the variance.
   const bool known = !rows.inputs_uncertain() || !from_inputs.empty();
-  if (auto found = !known ? std::nullopt : find_wrong_output_sigma(rows, result, from_inputs))
-    findings.push_back(std::move(*found));
-  if (!input_columns_used) {
-    if (auto found = find_unused_input_sigma(rows, result, from_inputs))
-      findings.push_back(std::move(*found));
-  }
+  if (has_sigma && known) add(wrong_sigma(rows, result, scaled));
+  if (!input_columns_used) add(find_unused_input_sigma(rows, result, from_inputs));
+  if (has_sigma && !explained && rows.has_noise() && !is_robust(result))
+    add(uneven_sigma(record.output_sigma, scaled, rows.basis().columns(), record.output_unit));
   return findings;
-}
-
-std::optional<Finding> find_uneven_sigma(const FittedRows& rows, const Identification& result) {
-  if (!rows.has_noise() || std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
-  const Dataset& record = rows.record();
-  const std::vector<double> sigma =
-      standard_uncertainties(record, variance_from_inputs(record, result.static_model()));
-  if (sigma.empty()) return std::nullopt;
-  return uneven_sigma(record.output_sigma, scaled_residuals(rows, sigma, {}), rows.basis().columns(),
-                      record.output_unit);
 }
 
 }  // namespace proofmass

@@ -185,27 +185,29 @@ Finding finding_of(const FittedRows& rows, const std::vector<std::size_t>& far,
                       {"unit", unit.symbol}}};
 }
 
-}  // namespace
-
-std::optional<Finding> find_far_rows(const FittedRows& rows, const Identification& result) {
-  if (std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
-  const RowNoise noise = noise_of(rows);
-  const AlikeResiduals own = alike_residuals(rows, noise, {rows.residuals().begin(), rows.residuals().end()});
-  const AlikeResiduals robust = without_outliers(rows, noise, own);
-  const std::vector<std::size_t> far = far_rows_of(rows, noise, own, robust);
-  return far.empty() ? std::nullopt : std::optional(finding_of(rows, far, robust));
-}
-
-std::optional<Finding> find_masked_rows(const FittedRows& rows, const Identification& result) {
-  if (std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
+// As a robust fit has them, where the rows far off are so many that they hide each other in any other.
+std::optional<AlikeResiduals> without_masking(const FittedRows& rows, const RowNoise& noise,
+                                              const AlikeResiduals& own) {
   auto left = robust_residuals(rows);
   if (!left) return std::nullopt;
+  AlikeResiduals robust = alike_residuals(rows, noise, std::move(*left));
+  if (own.deviation() < kMasked * robust.scale) return std::nullopt;
+  return robust;
+}
+
+}  // namespace
+
+std::optional<Finding> find_far_rows(const FittedRows& rows, const Identification& result, bool masked_too) {
+  if (std::holds_alternative<RobustDetails>(result.details)) return std::nullopt;
   const RowNoise noise = noise_of(rows);
   const AlikeResiduals own = alike_residuals(rows, noise, {rows.residuals().begin(), rows.residuals().end()});
-  const AlikeResiduals robust = alike_residuals(rows, noise, std::move(*left));
-  if (own.deviation() < kMasked * robust.scale) return std::nullopt;
-  const std::vector<std::size_t> far = far_rows_of(rows, noise, robust, robust);
-  return far.empty() ? std::nullopt : std::optional(finding_of(rows, far, robust));
+  const AlikeResiduals trimmed = without_outliers(rows, noise, own);
+  const std::vector<std::size_t> far = far_rows_of(rows, noise, own, trimmed);
+  if (!far.empty()) return finding_of(rows, far, trimmed);
+  const auto robust = masked_too ? without_masking(rows, noise, own) : std::nullopt;
+  if (!robust) return std::nullopt;
+  const std::vector<std::size_t> masked = far_rows_of(rows, noise, *robust, *robust);
+  return masked.empty() ? std::nullopt : std::optional(finding_of(rows, masked, *robust));
 }
 
 }  // namespace proofmass

@@ -136,8 +136,22 @@ FittedRows FittedRows::with_columns(const Matrix& columns) const {
   return more;
 }
 
+double FittedRows::standard_deviation() const {
+  return std::sqrt(sum_of_squares(residuals_) / static_cast<double>(std::max<std::size_t>(1, dof_)));
+}
+
 std::vector<double> FittedRows::beyond_terms(std::vector<double> values) const {
   return beyond_columns(basis_, std::move(values));
+}
+
+std::vector<std::vector<double>> regressor_columns(const Dataset& rows, const TermList& terms) {
+  std::vector<std::vector<double>> columns;
+  columns.reserve(terms.size());
+  for (const Term term : terms) {
+    std::vector<double>& values = columns.emplace_back(rows.rows());
+    for (std::size_t row = 0; row < values.size(); ++row) values[row] = regressor(term, rows.at(row));
+  }
+  return columns;
 }
 
 std::vector<double> bounded(std::span<const double> residuals, double scale) {

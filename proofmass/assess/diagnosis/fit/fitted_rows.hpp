@@ -32,6 +32,7 @@ class FittedRows {
   [[nodiscard]] std::size_t rows() const noexcept { return residuals_.size(); }
   [[nodiscard]] std::size_t dof() const noexcept { return dof_; }
   [[nodiscard]] double scale() const noexcept { return scale_; }  // robust, of the residuals
+  [[nodiscard]] double standard_deviation() const;                // of the residuals, by dof()
   // Below it residuals are the rounding of arithmetic or of the outputs.
   [[nodiscard]] double rounding() const noexcept { return rounding_; }
   // Whether the residuals are more than rounding, of the inputs too, and enough to show a pattern.
@@ -73,6 +74,9 @@ class FittedRows {
   bool has_noise_ = false;
   bool inputs_uncertain_ = false;
 };
+
+// The regressor of each term over the rows.
+[[nodiscard]] std::vector<std::vector<double>> regressor_columns(const Dataset& rows, const TermList& terms);
 
 // The residuals over their scale, held within 2.5: what a test for patterns looks at lest outliers decide it.
 [[nodiscard]] std::vector<double> bounded(std::span<const double> residuals, double scale);

@@ -26,12 +26,7 @@ using ShapeColumns = std::vector<std::vector<double>>;
 
 // The fit as if all of the 21 terms that the rows can tell apart had been asked for.
 FittedRows with_all_terms(const FittedRows& rows) {
-  ShapeColumns regressors;
-  for (const Term term : full_terms()) {
-    std::vector<double>& values = regressors.emplace_back(rows.rows());
-    for (std::size_t row = 0; row < values.size(); ++row)
-      values[row] = regressor(term, rows.record().at(row));
-  }
+  const ShapeColumns regressors = regressor_columns(rows.record(), full_terms());
   return rows.with_columns(columns_beyond(rows, regressors, kLeastTermLeftOver).orthonormal);
 }
 
@@ -154,16 +149,11 @@ AxisStructure structure_along(const FittedRows& rows, Axis axis) {
   return found;
 }
 
-double deviation(const FittedRows& rows) {
-  return std::sqrt(sum_of_squares(rows.residuals()) /
-                   static_cast<double>(std::max<std::size_t>(1, rows.dof())));
-}
-
 // How far what the columns explain lies from zero, in standard errors, with allowance for their number.
 double errors_of(const FittedRows& rows, const FittedRows& left) {
   const double explained = sum_of_squares(rows.residuals()) - sum_of_squares(left.residuals());
   const auto columns = static_cast<double>(rows.dof() - left.dof());
-  return std::sqrt(std::max(0.0, explained / std::pow(deviation(left), 2) - columns));
+  return std::sqrt(std::max(0.0, explained / std::pow(left.standard_deviation(), 2) - columns));
 }
 
 }  // namespace
@@ -186,8 +176,8 @@ std::optional<ResidualEffect> find_input_structure(const FittedRows& fitted) {
                                     .figures = {{"axis", std::string(axis_name(found.axis))},
                                                 {"shape", found.shape.name},
                                                 {"change", 2.0 * std::abs(found.shape.slope) * to_declared},
-                                                {"before", deviation(fitted) * to_declared},
-                                                {"after", deviation(left) * to_declared},
+                                                {"before", fitted.standard_deviation() * to_declared},
+                                                {"after", left.standard_deviation() * to_declared},
                                                 {"unit", unit.symbol}}},
                         .errors = errors_of(rows, left),
                         .columns = std::move(columns)};

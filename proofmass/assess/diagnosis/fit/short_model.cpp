@@ -45,14 +45,8 @@ TermList identifiable_beside(const Identification& result, const TermList& terms
 
 Candidates candidates_of(const FittedRows& rows, const Identification& result, const TermList& terms) {
   Candidates candidates;
-  std::vector<std::vector<double>> regressors;
-  TermList wanted;
-  for (const Term term : identifiable_beside(result, terms, rows.record())) {
-    wanted.push_back(term);
-    std::vector<double>& values = regressors.emplace_back(rows.rows());
-    for (std::size_t row = 0; row < values.size(); ++row)
-      values[row] = regressor(term, rows.record().at(row));
-  }
+  const TermList wanted = identifiable_beside(result, terms, rows.record());
+  std::vector<std::vector<double>> regressors = regressor_columns(rows.record(), wanted);
   for (const std::size_t k : columns_beyond(rows, regressors, kLeastTermLeft).kept) {
     if (candidates.terms.size() + kLeastDofBeside >= rows.dof()) break;
     candidates.terms.push_back(wanted[k]);
@@ -135,7 +129,7 @@ std::optional<ShortModel> find_short_model(const FittedRows& rows, const Identif
   }
   if (!missing) return std::nullopt;
   const Unit& unit = rows.record().output_unit;
-  const double before = std::sqrt(sum_of_squares(rows.residuals()) / static_cast<double>(rows.dof()));
+  const double before = rows.standard_deviation();
   Finding finding{.code = Code::model_too_short,
                   .severity = Severity::warning,
                   .terms = missing->terms,

@@ -114,13 +114,15 @@ Shifted with_shift(const Dataset& record, const std::vector<std::size_t>& sample
   }
   if (outputs.size() < kLeastSampled) return {};
   const Dataset own = record.select(outputs);
-  Dataset moved = record.select(inputs);
-  const double others = unexplained_without_far_rows(moved);
+  const Dataset others = record.select(inputs);
+  Dataset moved = others;
   moved.output = own.output;
+  const double left = unexplained_by_linear_terms(moved);
+  if (left >= kExplains) return {};
   const LinearFit fit = fit_linear(moved);
   if (std::abs(fit.scale_factor) <= fit.cross_axes) return {};  // a tumble that is turned
-  return {.left = unexplained_by_linear_terms(moved),
-          .unshifted = std::min(others, unexplained_without_far_rows(own))};
+  return {.left = left,
+          .unshifted = std::min(unexplained_without_far_rows(others), unexplained_without_far_rows(own))};
 }
 
 // Not of a record whose own inputs explain its outputs.
