@@ -136,4 +136,6 @@ std::string join_names(const TermList& terms) {
   return text;
 }
 
+double magnitude(const Acceleration& a) noexcept { return std::sqrt(a.i * a.i + a.o * a.o + a.p * a.p); }
+
 }  // namespace proofmass

@@ -50,6 +50,7 @@ struct Acceleration {
   double o = 0.0;
   double p = 0.0;
 };
+[[nodiscard]] double magnitude(const Acceleration& a) noexcept;
 
 struct TermInfo {
   Term term;

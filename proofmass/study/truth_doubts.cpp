@@ -18,8 +18,6 @@ constexpr double kFewSigmas = 6.0;  // of an input's noise, or of a median
 constexpr double kMedianSpread = 1.4;
 constexpr double kRounding = 1e-9;
 
-double magnitude(const Acceleration& a) { return std::hypot(a.i, a.o, a.p); }
-
 // Least and largest |A| of the rows.
 std::pair<double, double> magnitudes(const Dataset& rows) {
   std::pair<double, double> range{magnitude(rows.at(0)), magnitude(rows.at(0))};

@@ -11,8 +11,6 @@
 namespace proofmass {
 namespace {
 
-double magnitude(const Acceleration& a) noexcept { return std::sqrt(a.i * a.i + a.o * a.o + a.p * a.p); }
-
 // Uniform over the sphere (Marsaglia, Annals of Mathematical Statistics 43, 1972).
 Acceleration random_direction(RandomStream& random) noexcept {
   double u = 0.0;

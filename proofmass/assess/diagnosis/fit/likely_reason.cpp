@@ -22,8 +22,7 @@ std::vector<double> ratios_of(const Dataset& record) {
   std::vector<double> ratios;
   for (std::size_t row = 0; row < record.rows(); ++row) {
     const Acceleration a = record.at(row);
-    const double size = std::sqrt(a.i * a.i + a.o * a.o + a.p * a.p);
-    if (std::abs(a.i) > kMostlyAlong * size) ratios.push_back(std::abs(record.output[row] / a.i));
+    if (std::abs(a.i) > kMostlyAlong * magnitude(a)) ratios.push_back(std::abs(record.output[row] / a.i));
   }
   std::sort(ratios.begin(), ratios.end());
   return ratios;

@@ -33,8 +33,6 @@ constexpr double kManyTimes = 20.0;        // what nine tenths of the rows have,
 constexpr double kFewTimes = 2.0;          // likewise, of one that may be
 constexpr std::size_t kFewMistyped = 2;    // that agree with their outputs, and may be mistyped across Ai
 
-double magnitude(const Acceleration& a) { return std::sqrt(a.i * a.i + a.o * a.o + a.p * a.p); }
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -43,10 +43,9 @@ std::optional<Magnitudes> magnitudes(const Dataset& record) {
   const bool one_axis = record.axes() == std::vector<Axis>{Axis::input};
   Magnitudes range{.least = std::numeric_limits<double>::infinity(), .greatest = 0.0};
   for (std::size_t row = 0; row < record.rows(); ++row) {
-    const Acceleration a = record.at(row);
-    const double magnitude = std::sqrt(a.i * a.i + a.o * a.o + a.p * a.p);
-    range.least = std::min(range.least, magnitude);
-    range.greatest = std::max(range.greatest, magnitude);
+    const double size = magnitude(record.at(row));
+    range.least = std::min(range.least, size);
+    range.greatest = std::max(range.greatest, size);
     if (!one_axis && range.least < (1.0 - 3.0 * kTolerance) * range.greatest) return std::nullopt;
   }
   if (one_axis) {
