@@ -13,7 +13,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/text.hpp"
-#include "proofmass/identify/model/written_resolution.hpp"
+#include "proofmass/identify/model/input_errors.hpp"
 #include "proofmass/numeric/linear/rank_analysis.hpp"
 
 namespace proofmass {

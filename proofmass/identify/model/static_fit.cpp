@@ -21,7 +21,7 @@ constexpr double kConditionLimit = 1e8;
 // text.
 constexpr double kRoundingLimit = 1e5;
 
-// Whether identifiability was judged by the rounding of every input (written_resolution.hpp).
+// Whether identifiability was judged by the rounding of every input (input_errors.hpp).
 bool knows_rounding(const Dataset& data) {
   const std::vector<Axis> axes = data.axes();
   return std::all_of(axes.begin(), axes.end(), [&data](Axis axis) {

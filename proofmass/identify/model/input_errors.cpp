@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/identify/model/written_resolution.hpp"
+#include "proofmass/identify/model/input_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
