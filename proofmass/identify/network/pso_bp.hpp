@@ -77,8 +77,7 @@ struct PsoBp {
             {.place = "pso-bp.md#the-swarm"}),
       field("topology", &PsoBp::topology,
             "the particles whose best one each particle follows: all, its two neighbours on a ring, or its "
-            "four "
-            "neighbours on a grid",
+            "four neighbours on a grid",
             kTopologyWords, {.place = "pso-bp.md#the-swarm"}),
       field("velocity-limit", &PsoBp::velocity_limit,
             "longest step, as a fraction of the initial box; 0: no limit", at_least(0.0),

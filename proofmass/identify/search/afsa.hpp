@@ -54,8 +54,7 @@ struct Afsa {
             whole(0), {.place = "afsa.md#what-it-does"}),
       field("fish-visual", &Afsa::visual,
             "how far a fish sees at first; a distance of 1 changes the modelled output by the root mean "
-            "square of "
-            "the measured one",
+            "square of the measured one",
             above(0.0), {.place = "afsa.md#what-it-does"}),
       field("fish-step", &Afsa::step, "longest move at first, in the same measure as visual", above(0.0),
             {.place = "afsa.md#what-it-does"}),

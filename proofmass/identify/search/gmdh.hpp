@@ -47,9 +47,8 @@ struct Gmdh {
       field("gmdh-form", &Gmdh::form, "terms of the model, or layers of quadratics", kGmdhFormWords,
             {.place = "gmdh.md#combi"}),
       field("gmdh-criterion", &Gmdh::criterion,
-            "errors at rows left out one by one, errors at checking rows, or how far the fits to two halves "
-            "of the "
-            "rows differ",
+            "errors at rows left out one by one, errors at checking rows, or how far the fits to two "
+            "halves of the rows differ",
             kGmdhCriterionWords, {.place = "gmdh.md#external-criteria"}),
       field("gmdh-checking-fraction", &Gmdh::checking_fraction,
             "fraction of the training rows that criterion regularity checks on",

@@ -229,10 +229,8 @@ std::string_view sentence(Code code) noexcept {
     case Code::structure_beyond_terms:
       return "the record has structure that the terms asked for lack, from the sensor or from the stand. A "
              "network beside the terms predicts it. The coefficients are the least-squares projection of "
-             "terms and "
-             "network together onto the terms, over the rows of the record; between these rows the output "
-             "may "
-             "differ from what the coefficients alone give";
+             "terms and network together onto the terms, over the rows of the record; between these rows "
+             "the output may differ from what the coefficients alone give";
     case Code::hidden_choice_ignored:
       return "standard errors assume exact inputs and white noise of one variance, and ignore that the "
              "number of hidden units was chosen on the same rows";
@@ -295,10 +293,9 @@ std::string_view sentence(Code code) noexcept {
 
 // Of a scale that nothing speaks against, on too few rows to know.
 constexpr std::string_view kScaleOfFewRows =
-    "the robust scale can hardly be checked with {spare:.0f} {spare:?row|rows} more than terms: if many rows "
-    "are "
-    "outliers, the fit, its standard errors and the list of suspect rows may be wrong without a warning. "
-    "Measure at least {enough:.0f} rows more than terms";
+    "the robust scale can hardly be checked with {spare:.0f} {spare:?row|rows} more than terms: if many "
+    "rows are outliers, the fit, its standard errors and the list of suspect rows may be wrong without a "
+    "warning. Measure at least {enough:.0f} rows more than terms";
 
 // Words of a finding that are names of a choice.
 std::string_view phrase(std::string_view figure, std::string_view word) noexcept {

@@ -16,9 +16,8 @@ constexpr std::string_view kRows =
     "a few rows are far off, the others are not. Use the method robust, and look at the rows that it "
     "suspects";
 constexpr std::string_view kMixed =
-    "the inputs or the outputs of some rows are in another unit than those of the others (a ratio of 9.8, or "
-    "of 1000). "
-    "Convert them to one";
+    "the inputs or the outputs of some rows are in another unit than those of the others (a ratio of 9.8, "
+    "or of 1000). Convert them to one";
 constexpr std::array kPhrases{
     NamedPhrase{"hint", "output_si", "the output seems to be in m/s². State its unit: E[m/s^2]"},
     NamedPhrase{"hint", "inputs_si", "the inputs seem to be in m/s². State their unit: Ai[m/s^2]"},
@@ -83,43 +82,33 @@ std::string_view english_diagnosis(Code code) noexcept {
              "header, as in Ai[{written}]";
     case Code::inputs_are_angles:
       return "the outputs follow the {function} of the inputs read as angles in {written}, and not the "
-             "inputs: "
-             "they are angles of a dividing head. The coefficients mean nothing as they are. Give the "
-             "{function} "
-             "of the angle, times local gravity, as Ai";
+             "inputs: they are angles of a dividing head. The coefficients mean nothing as they are. Give "
+             "the {function} of the angle, times local gravity, as Ai";
     case Code::inputs_too_large:
       return "the accelerations go up to {largest:.3g} g (read in {read}), and no test stand for "
-             "accelerometers "
-             "makes more than {limit:g} g: they are in another unit, or the wrong columns are read. State "
-             "the "
-             "unit in the header, as in Ai[ug]";
+             "accelerometers makes more than {limit:g} g: they are in another unit, or the wrong columns "
+             "are read. State the unit in the header, as in Ai[ug]";
     case Code::input_far_off:
-      return "{axis} is {value:g} {unit} in line {line:.0f}, more than {limit:g} times what it is in nearly "
-             "all "
-             "other rows ({count:.0f} {count:?row|rows} of that kind, and nothing between): the mark of a "
-             "missing "
-             "value, or a slip. Such a row decides alone about the terms of {axis}. Correct it or leave it "
-             "out: "
-             "{count:?line|lines} {lines}";
+      return "{axis} is {value:g} {unit} in line {line:.0f}, more than {limit:g} times what it is in "
+             "nearly all other rows ({count:.0f} {count:?row|rows} of that kind, and nothing between): the "
+             "mark of a missing value, or a slip. Such a row decides alone about the terms of {axis}. "
+             "Correct it or leave it out: {count:?line|lines} {lines}";
     case Code::magnitude_unlike_others:
-      return "|A| is {value:.7g} {unit} in line {line:.0f}, and {others:.7g} {unit} in nearly all other rows "
-             "({count:.0f} {count:?row is|rows are} unlike them): an input is probably mistyped there. Such "
-             "a row can "
-             "decide alone about terms that the others do not tell apart, whose values are then wrong by any "
-             "amount. Correct the inputs or leave the {count:?row|rows} out: {count:?line|lines} {lines}";
+      return "|A| is {value:.7g} {unit} in line {line:.0f}, and {others:.7g} {unit} in nearly all other "
+             "rows ({count:.0f} {count:?row is|rows are} unlike them): an input is probably mistyped "
+             "there. Such a row can decide alone about terms that the others do not tell apart, whose "
+             "values are then wrong by any amount. Correct the inputs or leave the {count:?row|rows} out: "
+             "{count:?line|lines} {lines}";
     case Code::rows_shifted:
       return "the outputs follow the inputs of other rows: they stand {shift:.0f} {shift:?row|rows} "
-             "{direction}. "
-             "The coefficients mean nothing as they are";
+             "{direction}. The coefficients mean nothing as they are";
     case Code::output_unsigned:
-      return "the outputs have one sign, and follow the inputs closely if those with negative Ai are turned "
-             "round: the meter or the file has lost their sign. The coefficients mean nothing as they are. "
-             "Record "
-             "the outputs with their sign";
+      return "the outputs have one sign, and follow the inputs closely if those with negative Ai are "
+             "turned round: the meter or the file has lost their sign. The coefficients mean nothing as "
+             "they are. Record the outputs with their sign";
     case Code::output_copies_input:
-      return "the outputs equal {axis} in every row: one column is a copy of the other, and the coefficients "
-             "say "
-             "nothing of an instrument. Name the column of the outputs";
+      return "the outputs equal {axis} in every row: one column is a copy of the other, and the "
+             "coefficients say nothing of an instrument. Name the column of the outputs";
     case Code::output_clipped:
       return "{count:.0f} rows with different inputs have exactly the {which} output, {value:.8g} {unit}: "
              "the output is clipped there, and coefficients that fit it are wrong. Leave these rows out, or "
@@ -133,8 +122,7 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "the output stays within {spread:.3g} {unit} of {value:.8g} {unit} in {longest:.0f} rows in "
              "sequence (lines {first:.0f} to {last:.0f}) while the inputs ask for a change of "
              "{expected:.3g} {unit}: the output is stuck, and coefficients that fit it are wrong. Leave "
-             "these "
-             "rows out";
+             "these rows out";
     case Code::output_repeated:
       return "{count:.0f} rows with different inputs have exactly the same output, {value:.8g} {unit}: a "
              "reading that is missing or was not renewed, and coefficients that fit it are wrong. Leave "
@@ -146,10 +134,9 @@ std::string_view english_diagnosis(Code code) noexcept {
              "once a row";
     case Code::output_wrapped:
       return "the outputs jump, in the order of their Ai, and follow the inputs when whole multiples of "
-             "{size} "
-             "are added to {percent:.3g} % of the rows: signed counts read as unsigned, or a counter or "
-             "converter that ran over. The coefficients mean nothing as they are. Read the counts as signed, "
-             "widen the counter's range, or put the jumps right before identifying";
+             "{size} are added to {percent:.3g} % of the rows: signed counts read as unsigned, or a "
+             "counter or converter that ran over. The coefficients mean nothing as they are. Read the "
+             "counts as signed, widen the counter's range, or put the jumps right before identifying";
     case Code::rows_duplicated:
       return "{count:.0f} {count:?row repeats|rows repeat} an earlier row, inputs and output (line "
              "{first:.0f} repeats line {original:.0f}): rows pasted twice count twice, and standard errors "
@@ -161,12 +148,10 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "t stands still in {count:.0f} of {total:.0f} rows: rows pasted twice, or a clock that stopped: "
              "{count:?line|lines} {lines}";
     case Code::temperature_implausible:
-      return "T is {value:g} {unit} in line {line:.0f} ({count:.0f} {count:?row|rows}), more than {limit:g} "
-             "{unit} "
-             "from the other rows or below absolute zero: a mark for a missing reading, or another unit. "
-             "Whether "
-             "the residuals follow T is not judged then. Correct T, or leave the {count:?row|rows} out: "
-             "{count:?line|lines} {lines}";
+      return "T is {value:g} {unit} in line {line:.0f} ({count:.0f} {count:?row|rows}), more than "
+             "{limit:g} {unit} from the other rows or below absolute zero: a mark for a missing reading, "
+             "or another unit. Whether the residuals follow T is not judged then. Correct T, or leave the "
+             "{count:?row|rows} out: {count:?line|lines} {lines}";
     case Code::scale_factor_negative:
       return "Ki is negative ({value:.6g} {unit}): the output falls while the acceleration along the input "
              "axis grows. The input axis points the other way, or the leads of the output are swapped";
@@ -177,11 +162,9 @@ std::string_view english_diagnosis(Code code) noexcept {
              "swapped, or the instrument is mounted along another axis than the record says. Name the "
              "columns as they are";
     case Code::cross_axis_large:
-      return "{terms} is {percent:.3g} % of Ki, as of an instrument turned by {angle:.3g}° from the axes of "
-             "the "
-             "record, or of outputs that stand beside the inputs of another position. Align the instrument "
-             "or turn "
-             "the inputs by that angle, or move the outputs to their own rows";
+      return "{terms} is {percent:.3g} % of Ki, as of an instrument turned by {angle:.3g}° from the axes "
+             "of the record, or of outputs that stand beside the inputs of another position. Align the "
+             "instrument or turn the inputs by that angle, or move the outputs to their own rows";
     case Code::few_degrees_of_freedom:
       return "{rows:.0f} rows leave {dof:.0f} {dof:?degree|degrees} of freedom: standard errors are "
              "themselves uncertain by about {percent:.0f} %, and a misfit cannot show. Use more rows, or "
@@ -190,10 +173,10 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "the fit does not explain the outputs (R² is {r2:.3g}, below {limit:g}): {reason}";
     case Code::model_too_short:
       return "the residuals follow {count:.0f} {count:?term|terms} that the model lacks and that the rows "
-             "can identify: "
-             "{terms} ({errors:.3g} standard errors). With them the residuals' standard deviation would fall "
-             "from {before:.3g} to {after:.3g} {unit}; without them what they contribute is in the other "
-             "coefficients too. Add them, or ask for the model full and drop what is not identifiable";
+             "can identify: {terms} ({errors:.3g} standard errors). With them the residuals' standard "
+             "deviation would fall from {before:.3g} to {after:.3g} {unit}; without them what they "
+             "contribute is in the other coefficients too. Add them, or ask for the model full and drop "
+             "what is not identifiable";
     case Code::rows_far_off:
       return "{count:.0f} {count:?row lies|rows lie} too far from the fit to be noise (line {line:.0f} by "
              "{residual:.3g} {unit}; the scale of the residuals is {scale:.3g} {unit}), and "
@@ -220,12 +203,10 @@ std::string_view english_diagnosis(Code code) noexcept {
              "errors, which take rows for independent, are too small";
     case Code::residuals_follow_inputs:
       return "the residuals follow {axis}, beyond every term of the static model: {shape}. Their standard "
-             "deviation "
-             "is {before:.3g} {unit}, and {after:.3g} {unit} when this is taken off. A readout that changes "
-             "its "
-             "range, a dead zone or hysteresis has this effect, and the coefficients of {axis} are then "
-             "averages. "
-             "Check the readout, identify the parts of the range apart, or use the method hybrid";
+             "deviation is {before:.3g} {unit}, and {after:.3g} {unit} when this is taken off. A readout "
+             "that changes its range, a dead zone or hysteresis has this effect, and the coefficients of "
+             "{axis} are then averages. Check the readout, identify the parts of the range apart, or use "
+             "the method hybrid";
     case Code::scale_factor_follows_time:
       return "the scale factor follows t: over the record Ki changes by {change:.3g} {unit}, {errors:.3g} "
              "standard errors. Ki is then an average over the record. Wait until the instrument is warm, or "
@@ -236,32 +217,27 @@ std::string_view english_diagnosis(Code code) noexcept {
     case Code::scale_factor_follows_order:
       return "the scale factor follows the order of the rows: over the record Ki changes by {change:.3g} "
              "{unit}, {errors:.3g} standard errors. If the rows are in the order of the test the scale "
-             "factor "
-             "drifts: wait until the instrument is warm, or split the record and identify the parts";
+             "factor drifts: wait until the instrument is warm, or split the record and identify the parts";
     case Code::scale_factor_follows_mount:
       return "the scale factor differs from mount to mount, in {count:.0f} of {total:.0f} mounts: in {mount} "
              "Ki is off by {mean:.3g} {unit}, {errors:.3g} standard errors. A wrong radius of the mount has "
              "this effect, and an instrument that was changed or adjusted between mounts";
     case Code::alignment_follows_mount:
-      return "the response across the input axis differs from mount to mount, in {count:.0f} of {total:.0f} "
-             "mounts: in {mount} {terms} is off by {mean:.3g} {unit}, {errors:.3g} standard errors. An "
-             "instrument "
-             "that is not aligned in its mount has this effect (1 mrad: 1e-3 of the acceleration across). "
-             "Align "
-             "it, or correct the inputs of this mount by its angle";
+      return "the response across the input axis differs from mount to mount, in {count:.0f} of "
+             "{total:.0f} mounts: in {mount} {terms} is off by {mean:.3g} {unit}, {errors:.3g} standard "
+             "errors. An instrument that is not aligned in its mount has this effect (1 mrad: 1e-3 of the "
+             "acceleration across). Align it, or correct the inputs of this mount by its angle";
     case Code::residuals_correlated:
       return "the residuals {within}. Standard errors take rows for independent, and are too small. Find "
-             "what "
-             "wanders, or judge by the errors of rows and mounts that are left out";
+             "what wanders, or judge by the errors of rows and mounts that are left out";
     case Code::sigma_inputs_unused:
       return "the columns sigma_A... are not used: {method} takes the inputs for exact. Their uncertainties "
              "explain {percent:.3g} % of the residuals' variance. eiv takes them into account";
     case Code::sigma_output_uneven:
-      return "sigma_E does not go with the residuals: over the {count:.0f} rows with sigma_E of {limit:.3g} "
-             "{unit} and more they are {large:.3g} times it, over the others {small:.3g} times. Weights by "
-             "sigma_E favour the wrong rows, and standard errors from it are wrong. Check the unit and the "
-             "rows "
-             "of sigma_E";
+      return "sigma_E does not go with the residuals: over the {count:.0f} rows with sigma_E of "
+             "{limit:.3g} {unit} and more they are {large:.3g} times it, over the others {small:.3g} "
+             "times. Weights by sigma_E favour the wrong rows, and standard errors from it are wrong. "
+             "Check the unit and the rows of sigma_E";
     default:
       return {};
   }

@@ -34,8 +34,8 @@ std::string hidden_by_rounding(const Finding& finding) {
                      join_names({finding.terms.begin() + 1, finding.terms.end()})) +
          filled(
              "the inputs are written in steps of {step:.2g} g, and what separates these terms is no more "
-             "than their "
-             "rounding. Write the inputs with more digits, or test at more levels of acceleration",
+             "than their rounding. Write the inputs with more digits, or test at more levels of "
+             "acceleration",
              finding);
 }
 
@@ -46,8 +46,7 @@ std::string hidden_by_uncertainty(const Finding& finding) {
                      join_names({finding.terms.begin() + 1, finding.terms.end()})) +
          filled(
              "it is {sigma:.2g} g, and what separates these terms is no more than errors of that size. "
-             "Measure "
-             "the inputs better, or test at more levels of acceleration",
+             "Measure the inputs better, or test at more levels of acceleration",
              finding);
 }
 
