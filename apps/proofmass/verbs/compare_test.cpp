@@ -50,7 +50,8 @@ TEST_F(CompareVerb, SaysOverWhichRowsThePercentageErrorIs) {
                                      "K0,Ki", "--split", "1", "--json", at("c.json"), "--wide"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("it is over 40 of 41 training rows"), std::string::npos) << outcome.out;
-  for (const Json& method : read_json("c.json")["methods"]) {
+  const Json comparison = read_json("c.json");
+  for (const Json& method : comparison["methods"]) {
     EXPECT_EQ(method["train"]["n"]["mean"], 41);
     EXPECT_EQ(method["train"]["mape_rows"]["mean"], 40);
   }
