@@ -21,7 +21,8 @@ run "$proofmass" inspect "$out/run.csv"
 
 for method in ols bp pso-bp; do
   say "The twin's static model by $method"
-  run "$proofmass" identify "$out/run.csv" --method "$method" --model paper --json "$out/twin-$method.json"
+  run "$proofmass" identify "$out/run.csv" --method "$method" --model paper --json "$out/twin-$method.json" \
+    --report "$out/twin-$method.html"
 done
 
 positions=$reference_data/positions/imucal_ferraris_6pos.csv

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cstdlib>
+#include <ctime>
+#include <string_view>
 #include <utility>
 
 #include "proofmass/core/error.hpp"
@@ -54,6 +58,24 @@ void add_json(CLI::App& verb, std::string& path) {
   add_path(verb, "--json", path,
            "Write the result as JSON to FILE; - is standard output, in place of the table")
       ->type_name("FILE");
+}
+
+void add_report(CLI::App& verb, std::string& path) {
+  add_path(verb, "--report", path,
+           "Write a report with figures to FILE, one HTML page that opens from disk; - is standard output")
+      ->type_name("FILE");
+}
+
+std::string today() {
+  std::time_t now = std::time(nullptr);
+  // The date that a build or a test sets (reproducible-builds.org).
+  if (const char* const fixed = std::getenv("SOURCE_DATE_EPOCH"); fixed != nullptr) {
+    const std::string_view text = fixed;
+    std::from_chars(text.data(), text.data() + text.size(), now);
+  }
+  std::tm date{};
+  gmtime_r(&now, &date);
+  return fmt::format("{:04}-{:02}-{:02}", date.tm_year + 1900, date.tm_mon + 1, date.tm_mday);
 }
 
 }  // namespace proofmass::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,12 +11,17 @@
 
 namespace proofmass {
 
+enum class Part : std::uint8_t { training, validation, test };
+
 // Row numbers of the parts of a record, ascending.
 struct Split {
   std::vector<std::size_t> training;
   std::vector<std::size_t> validation;
   std::vector<std::size_t> test;
 };
+
+// The part of each of so many rows.
+[[nodiscard]] std::vector<Part> parts_of(const Split& split, std::size_t rows);
 
 // Where a result came from, enough to make it again.
 struct Provenance {

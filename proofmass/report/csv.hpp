@@ -2,16 +2,14 @@
 // Predictions and curves as CSV. Numbers are the shortest that read back to the same bits.
 #pragma once
 
-#include <cstdint>
 #include <iosfwd>
 #include <span>
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/identification.hpp"
+#include "proofmass/core/run.hpp"
 
 namespace proofmass {
-
-enum class Part : std::uint8_t { training, validation, test };
 
 // What a fit predicts for the rows of the record it came from. Columns: `line` of the record's file, `part`
 // (train, validation or test), the record's inputs in g, `E`, `E_predicted` and `residual` in the output's

@@ -12,10 +12,12 @@
 #include "identify_flags.hpp"
 #include "interrupts.hpp"
 #include "output.hpp"
+#include "proofmass/assess/residuals/record_figures.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/pipeline.hpp"
 #include "proofmass/report/csv.hpp"
+#include "proofmass/report/html/report.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/terminal/terminal.hpp"
 #include "record_flags.hpp"
@@ -32,6 +34,7 @@ struct VerbFlags {
   RecordFlags record;
   std::string json;
   std::string out;
+  std::string report;
 };
 
 Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options,
@@ -45,11 +48,8 @@ Run identify(const Dataset& record, const Method& method, const IdentifyOptions&
 
 // predictions.csv: what the fit says about every row of the record, and which part the row was in.
 std::string predictions(const Run& run, const Dataset& record) {
-  std::vector<Part> parts(record.rows(), Part::training);
-  for (const std::size_t row : run.split.validation) parts[row] = Part::validation;
-  for (const std::size_t row : run.split.test) parts[row] = Part::test;
   std::ostringstream text;
-  write_predictions(text, record, predict(run.identification, record), parts);
+  write_predictions(text, record, predict(run.identification, record), parts_of(run.split, record.rows()));
   return text.str();
 }
 
@@ -57,6 +57,11 @@ std::string history(const Identification& result) {
   std::ostringstream text;
   write_history(text, result.history);
   return text.str();
+}
+
+std::string report(const Run& run, const Dataset& record) {
+  const RecordFigures figures = record_figures(record, run.split, run.identification);
+  return render_report(run, &figures, {.date = today()});
 }
 
 void write_result(const Run& run, const Dataset& record, const VerbFlags& flags) {
@@ -70,13 +75,17 @@ void write_result(const Run& run, const Dataset& record, const VerbFlags& flags)
     files.add(folder / "predictions.csv", predictions(run, record));
     files.add(folder / "history.csv", history(run.identification));
   }
-  if (flags.json != "-") files.add("-", render_table(run.identification, terminal_style(flags.common.wide)));
+  if (!flags.report.empty()) files.add(flags.report, report(run, record));
+  if (flags.json != "-" && flags.report != "-")
+    files.add("-", render_table(run.identification, terminal_style(flags.common.wide)));
   files.commit();
 }
 
 void require_writable(const VerbFlags& flags) {
   require_writable_file(flags.json);
   require_other_file(flags.json, {flags.record.path});
+  require_writable_file(flags.report);
+  require_other_file(flags.report, {flags.record.path, flags.json});
   if (!flags.out.empty()) {
     for (const char* name : {"result.json", "predictions.csv", "history.csv"}) {
       require_other_file(fs::path(flags.out) / name, {flags.record.path});
@@ -105,6 +114,7 @@ Action add_identify(CLI::App& verb) {
   add_record(verb, flags->record, "RUN.csv", "The test record; - is standard input");
   flags->identify.add_to(verb);
   add_json(verb, flags->json);
+  add_report(verb, flags->report);
   add_path(verb, "--out", flags->out, "Write result.json, predictions.csv and history.csv to the folder DIR")
       ->type_name("DIR");
   add_wide(verb, flags->common);

@@ -10,6 +10,7 @@
 #include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/paper/reproduction_figures_internal.hpp"
+#include "proofmass/report/plot/svg.hpp"
 #include "proofmass/study/paper/citation.hpp"
 
 namespace proofmass {
@@ -186,7 +187,7 @@ std::string pictures(const Reproduction& made) {
   int number = 4;
   for (const PaperFigure& figure : figures_of(made)) {
     out += fmt::format("![Figure {0}: {1}]({2}.svg)\n\nFigure {0}: {1} ([data]({2}.csv)).\n\n", number++,
-                       figure.plot.title, figure.name);
+                       figure.chart.title.en, figure.name);
   }
   return out;
 }
@@ -222,8 +223,8 @@ std::vector<NamedText> reproduction_files(const Reproduction& made) {
                                {"table-2.json", to_json(made.coefficients)},
                                {"table-3.json", to_json(made.networks)}};
   for (const PaperFigure& figure : figures_of(made)) {
-    files.push_back({figure.name + ".csv", figure_csv(figure.plot)});
-    files.push_back({figure.name + ".svg", render_svg(figure.plot)});
+    files.push_back({figure.name + ".csv", figure_csv(figure.chart)});
+    files.push_back({figure.name + ".svg", render_svg(figure.chart, {.file = Language::en})});
   }
   return files;
 }

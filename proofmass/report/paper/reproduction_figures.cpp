@@ -2,30 +2,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "proofmass/report/paper/reproduction_figures_internal.hpp"
+#include "proofmass/report/text/label.hpp"
 
 namespace proofmass {
 namespace {
 
-std::vector<PlotSeries> by_step(const std::vector<Curve>& curves) {
-  std::vector<PlotSeries> series;
+std::vector<Series> by_step(const std::vector<Curve>& curves) {
+  constexpr std::array kMarks{Mark::line, Mark::dashes};
+  std::vector<Series> series;
   for (const Curve& curve : curves) {
-    PlotSeries one{.name = curve.name, .x = {}, .y = curve.values};
+    Series one{.name = same_text(curve.name),
+               .x = {},
+               .y = curve.values,
+               .mark = kMarks.at(series.size() % kMarks.size()),
+               .colour = series.size()};
     for (std::size_t k = 0; k < curve.values.size(); ++k) one.x.push_back(static_cast<double>(k + 1));
     series.push_back(std::move(one));
   }
   return series;
 }
 
-PaperFigure curve_figure(std::string name, std::string title, const char* step, const Reproduction& made,
+PaperFigure curve_figure(std::string name, Text title, const Text& step, const Reproduction& made,
                          const std::vector<Curve>& curves) {
-  return {.name = std::move(name),
-          .plot = {.title = std::move(title),
-                   .x_label = step,
-                   .y_label = fmt::format("RMSE, {}", made.unit),
-                   .log_y = true,
-                   .series = by_step(curves)}};
+  Chart chart{.id = name,
+              .title = std::move(title),
+              .x = {.label = step},
+              .y = {.label = text_of(Label::rmse, {{"unit", made.unit}}), .log = true},
+              .series = by_step(curves)};
+  return {.name = std::move(name), .chart = std::move(chart)};
 }
 
 // Textbook BP and the paper's PSO-BP.
@@ -34,47 +41,57 @@ std::vector<Curve> the_papers_two(const Reproduction& made) {
   return {made.predicted.begin(), made.predicted.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-Plot predictions(const Reproduction& made) {
-  Plot plot{.title = "Test rows: measured and predicted output",
-            .x_label = fmt::format("measured, {}", made.unit),
-            .y_label = fmt::format("predicted, {}", made.unit),
-            .series = {}};
+Chart predictions(const Reproduction& made) {
+  const std::vector<Figure> unit{{"unit", made.unit}};
+  Chart chart{.id = "figure-7-test-predictions",
+              .title = text_of(Label::test_predictions),
+              .x = {.label = text_of(Label::measured, unit)},
+              .y = {.label = text_of(Label::predicted, unit)},
+              .series = {}};
   for (const Curve& curve : the_papers_two(made)) {
-    plot.series.push_back({curve.name, made.measured, curve.values, SeriesStyle::points});
+    const std::size_t number = chart.series.size();
+    chart.series.push_back({.name = same_text(curve.name),
+                            .x = made.measured,
+                            .y = curve.values,
+                            .mark = number == 0 ? Mark::points : Mark::squares,
+                            .colour = number});
   }
-  return plot;
+  return chart;
 }
 
-Plot errors(const Reproduction& made) {
+Chart errors(const Reproduction& made) {
   std::vector<Curve> errors = the_papers_two(made);
   for (Curve& curve : errors) {
     for (std::size_t k = 0; k < curve.values.size(); ++k) {
       curve.values[k] = made.measured[k] - curve.values[k];
     }
   }
-  Plot plot{.title = "Test rows: prediction errors",
-            .x_label = "test row",
-            .y_label = fmt::format("measured minus predicted, {}", made.unit),
-            .series = by_step(errors)};
-  for (PlotSeries& series : plot.series) series.style = SeriesStyle::points;
-  return plot;
+  Chart chart{.id = "figure-8-prediction-errors",
+              .title = text_of(Label::test_errors),
+              .x = {.label = text_of(Label::test_row)},
+              .y = {.label = text_of(Label::error, {{"unit", made.unit}})},
+              .series = by_step(errors)};
+  for (Series& series : chart.series) series.mark = series.colour == 0 ? Mark::points : Mark::squares;
+  return chart;
 }
 
 }  // namespace
 
 std::vector<PaperFigure> figures_of(const Reproduction& made) {
-  return {curve_figure("figure-4-bp-training", "BP: error by epoch", "epoch", made, made.bp_training),
-          curve_figure("figure-5-pso-bp-training", "PSO-BP (paper's preset): error by epoch after the swarm",
-                       "epoch", made, made.swarm_training),
-          curve_figure("figure-6-swarm", "The swarm: fitness by generation", "generation", made, made.swarm),
-          {.name = "figure-7-test-predictions", .plot = predictions(made)},
-          {.name = "figure-8-prediction-errors", .plot = errors(made)}};
+  return {curve_figure("figure-4-bp-training", text_of(Label::bp_curve), text_of(Label::epoch), made,
+                       made.bp_training),
+          curve_figure("figure-5-pso-bp-training", text_of(Label::pso_bp_curve), text_of(Label::epoch), made,
+                       made.swarm_training),
+          curve_figure("figure-6-swarm", text_of(Label::swarm_fitness), text_of(Label::generation), made,
+                       made.swarm),
+          {.name = "figure-7-test-predictions", .chart = predictions(made)},
+          {.name = "figure-8-prediction-errors", .chart = errors(made)}};
 }
 
-std::string figure_csv(const Plot& plot) {
+std::string figure_csv(const Chart& chart) {
   std::string out = "series,x,y\n";
-  for (const PlotSeries& series : plot.series) {
-    std::string name = series.name;
+  for (const Series& series : chart.series) {
+    std::string name = series.name.en;
     std::replace(name.begin(), name.end(), ',', ';');
     for (std::size_t k = 0; k < series.y.size(); ++k) {
       out += fmt::format("{},{},{}\n", name, series.x[k], series.y[k]);

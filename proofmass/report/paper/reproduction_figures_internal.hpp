@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "proofmass/report/plot/svg_plot.hpp"
+#include "proofmass/report/plot/figure.hpp"
 #include "proofmass/study/paper/reproduction.hpp"
 
 namespace proofmass {
 
 struct PaperFigure {
   std::string name;  // of its files, without the ending
-  Plot plot;
+  Chart chart;
 };
 
 // Figures 4 to 8, in order.
 [[nodiscard]] std::vector<PaperFigure> figures_of(const Reproduction& made);
 
 // The figure's numbers: series,x,y.
-[[nodiscard]] std::string figure_csv(const Plot& plot);
+[[nodiscard]] std::string figure_csv(const Chart& chart);
 
 }  // namespace proofmass

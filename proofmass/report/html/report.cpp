@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proofmass/report/html/report.hpp"
+
+#include "proofmass/report/html/page/page.hpp"
+#include "proofmass/report/html/sections/sections.hpp"
+
+namespace proofmass {
+
+std::string render_report(const Run& run, const RecordFigures* record, const ReportStyle& style,
+                          const Text& why) {
+  InteractiveFigures interactive;
+  const html::IdentificationContext context{
+      .run = run, .record = record, .why_no_record = why, .date = style.date, .interactive = interactive};
+  html::Page page{.title = text_of(Label::identification),
+                  .subject = run.provenance.input,
+                  .version = run.provenance.version,
+                  .sections = {}};
+  for (const html::MakeSection make : html::identification_sections())
+    if (auto section = make(context)) page.sections.push_back(std::move(*section));
+  return html::render(page, interactive, style);
+}
+
+}  // namespace proofmass

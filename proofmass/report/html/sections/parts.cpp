@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "proofmass/report/html/sections/parts_internal.hpp"
+
+namespace proofmass::html {
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+  std::vector<double> out = values;
+  for (double& v : out) v *= factor;
+  return out;
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double v : values)
+    if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+ShownUnit residual_unit(const IdentificationContext& context) {
+  return shown_unit(context.run.identification.output_unit, largest_of(context.record->rows.residuals));
+}
+
+std::vector<Series> series_by_part(const RecordFigures& record, const std::vector<double>& x,
+                                   const std::vector<double>& y) {
+  struct Shown {
+    Part part;
+    Label label;
+    Mark mark;
+  };
+  constexpr std::array kParts{Shown{Part::training, Label::train, Mark::points},
+                              Shown{Part::validation, Label::validation, Mark::points},
+                              Shown{Part::test, Label::test, Mark::squares}};
+  constexpr std::array<std::size_t, 3> kColours{0, 2, 1};
+  std::vector<Series> made;
+  for (std::size_t k = 0; k < kParts.size(); ++k) {
+    Series one{
+        .name = text_of(kParts[k].label), .x = {}, .y = {}, .mark = kParts[k].mark, .colour = kColours[k]};
+    for (std::size_t row = 0; row < y.size(); ++row) {
+      if (record.rows.parts[row] != kParts[k].part) continue;
+      one.x.push_back(x[row]);
+      one.y.push_back(y[row]);
+    }
+    if (!one.x.empty()) made.push_back(std::move(one));
+  }
+  if (made.size() == 1) made.front().name = {};
+  return made;
+}
+
+}  // namespace proofmass::html

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the sections that draw rows share.
+#pragma once
+
+#include <vector>
+
+#include "proofmass/report/html/page/section.hpp"
+#include "proofmass/report/shown_unit.hpp"
+
+namespace proofmass::html {
+
+// The values times a factor.
+[[nodiscard]] std::vector<double> scaled(const std::vector<double>& values, double factor);
+
+// The largest that is finite, of either sign.
+[[nodiscard]] double largest_of(const std::vector<double>& values);
+
+[[nodiscard]] ShownUnit residual_unit(const IdentificationContext& context);
+
+// y over x, a series for each part of the record that has rows.
+[[nodiscard]] std::vector<Series> series_by_part(const RecordFigures& record, const std::vector<double>& x,
+                                                 const std::vector<double>& y);
+
+}  // namespace proofmass::html

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "proofmass/report/plot/svg_canvas_internal.hpp"
+
+namespace proofmass {
+namespace {
+
+// Where a category or tick is, and what it is called.
+struct Tick {
+  double place;
+  Text text;
+};
+
+std::vector<Tick> ticks_of(const ChartAxis& axis, const Scale& scale) {
+  std::vector<Tick> found;
+  if (!axis.categories.empty()) {
+    for (std::size_t k = 0; k < axis.categories.size(); ++k)
+      found.push_back({scale.place(static_cast<double>(k)), axis.categories[k]});
+    return found;
+  }
+  const std::vector<double> values = scale.ticks();
+  const std::vector<std::string> texts = tick_texts(scale, values);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    found.push_back({scale.place(values[k]), same_text(texts[k])});
+  return found;
+}
+
+}  // namespace
+
+void draw_axes(SvgCanvas& canvas, const SvgFrame& frame, const Text& title, const ChartAxis& x_axis,
+               const Scale& x, const ChartAxis& y_axis, const Scale& y) {
+  using Anchor = SvgCanvas::Anchor;
+  std::string grid;
+  for (const Tick& tick : ticks_of(y_axis, y)) {
+    grid += fmt::format("M{:.1f} {:.1f}H{:.1f}", frame.left, tick.place, frame.right);
+    canvas.text(frame.left - 6.0, tick.place + 4.5, tick.text, Anchor::end);
+  }
+  for (const Tick& tick : ticks_of(x_axis, x)) {
+    grid += fmt::format("M{:.1f} {:.1f}V{:.1f}", tick.place, frame.top, frame.bottom);
+    canvas.text(tick.place, frame.bottom + 17.0, tick.text);
+  }
+  canvas.path(grid, "grid");
+  canvas.path(fmt::format("M{:.1f} {:.1f}V{:.1f}H{:.1f}", frame.left, frame.top, frame.bottom, frame.right),
+              "axis");
+  canvas.text(0.5 * (frame.left + frame.right), frame.bottom + 41.0, x_axis.label);
+  canvas.upright(15.0, 0.5 * (frame.top + frame.bottom), y_axis.label);
+  canvas.text(0.5 * kSvgWidth, 17.0, title, Anchor::middle, "title");
+}
+
+}  // namespace proofmass

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers and units as they are printed (SI Brochure, 9th edition, 5.4).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace proofmass {
+
+// "10⁻⁶".
+[[nodiscard]] std::string power_of_ten(int exponent);
+
+// A number as the program writes it, for print: "-1.5e-06" becomes "−1.5 × 10⁻⁶".
+[[nodiscard]] std::string typeset(std::string_view number);
+
+// "g/g^2" becomes "g/g²", "m/s^2" "m/s²", "ug" "µg".
+[[nodiscard]] std::string typeset_unit(std::string_view unit);
+
+// Columns that text takes in a font of one width: two for Chinese characters and full-width signs.
+[[nodiscard]] std::size_t text_columns(std::string_view utf8);
+
+}  // namespace proofmass
