@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -169,6 +171,37 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   run.identification.findings.insert(run.identification.findings.begin(), record.findings.begin(),
                                      record.findings.end());
   return run;
+}
+
+Split split_again(const Dataset& record, const Run& result) {
+  const auto option = [&](std::string_view name) -> std::string_view {
+    for (const auto& [known, value] : result.provenance.options)
+      if (known == name) return value;
+    return {};
+  };
+  const auto fraction = [&](std::string_view name, double otherwise) {
+    const std::string_view text = option(name);
+    double value = otherwise;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+  };
+  const bool early = option("early-stopping") == "on";
+  const SplitOptions parts{.training_fraction = fraction("split", 1.0),
+                           .validation_fraction = early ? fraction("validation-fraction", 0.0) : 0.0};
+  const std::uint64_t seed = result.identification.seed;
+  const bool by_mount = option("split-by") == "mount" && record.mount.size() == record.rows();
+  Split split = by_mount ? split_mounts(record.mount, parts, seed) : split_rows(record.rows(), parts, seed);
+  const auto& made = result.identification;
+  const auto counts = [](const std::optional<Metrics>& part, const std::vector<std::size_t>& rows) {
+    return (part ? part->n : 0) == rows.size();
+  };
+  if (!counts(made.train, split.training) || !counts(made.validation, split.validation) ||
+      !counts(made.test, split.test))
+    throw Error(ErrorKind::bad_data,
+                fmt::format("{}: {}, which the result's options divide otherwise than the result says; the "
+                            "result was made from another record, or changed",
+                            record.source, amount_text(record.rows(), "row")));
+  return split;
 }
 
 Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options) {

@@ -16,4 +16,8 @@ namespace proofmass {
 [[nodiscard]] Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options,
                            Progress& progress);
 
+// The parts that the rows of a record had when a result was made from it, by the result's options: a result
+// file does not keep them. Throws bad data where the record and the options cannot have made the result.
+[[nodiscard]] Split split_again(const Dataset& record, const Run& result);
+
 }  // namespace proofmass

@@ -60,7 +60,7 @@ void add_json(CLI::App& verb, std::string& path) {
       ->type_name("FILE");
 }
 
-void add_report(CLI::App& verb, std::string& path) {
+void add_report_file(CLI::App& verb, std::string& path) {
   add_path(verb, "--report", path,
            "Write a report with figures to FILE, one HTML page that opens from disk; - is standard output")
       ->type_name("FILE");

@@ -23,7 +23,7 @@ void add_wide(CLI::App& verb, CommonFlags& flags);
 // An option that names a file or folder: its name must not be empty.
 CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help);
 void add_json(CLI::App& verb, std::string& path);
-void add_report(CLI::App& verb, std::string& path);
+void add_report_file(CLI::App& verb, std::string& path);
 
 // The date, UTC, as 2026-11-28.
 [[nodiscard]] std::string today();

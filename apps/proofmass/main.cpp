@@ -41,6 +41,7 @@ constexpr std::array kVerbs{
     Verb{"reproduce", "Repeat the paper's experiment on a simulated twin", add_reproduce},
     Verb{"predict", "Predict the output for given accelerations from a result file", add_predict},
     Verb{"inspect", "Summarise a test record and the terms that its inputs can identify", add_inspect},
+    Verb{"report", "Write the report of a result as one HTML page with figures", add_report},
     Verb{"completion", "Print what completes commands in a shell", add_completion},
     Verb{"manual", "Print the manual page of the program or of a verb, for man", add_manual},
     Verb{"help", "Show the help of the program or of a verb", add_help},

@@ -116,6 +116,24 @@ ReadOptions read_options(const RecordFlags& flags, const CommonFlags& common) {
           .threads = common.threads == 0 ? cores : common.threads};
 }
 
+RecordFlags flags_of(const Provenance& provenance) {
+  RecordFlags flags;
+  flags.path = provenance.input;
+  for (const auto& [option, value] : provenance.options) {
+    if (option == "map" && !value.empty()) flags.map = {value};
+    if (option == "encoding" && value != "auto") flags.encoding = value;
+    if (option == "decimal") {
+      for (const auto& word : kDecimalWords)
+        if (word.text == value) flags.decimal = word.value;
+    }
+    if (option == "overload") {
+      for (const auto& word : kOverloadWords)
+        if (word.text == value) flags.overload = word.value;
+    }
+  }
+  return flags;
+}
+
 void add_given(Provenance& provenance, const RecordFlags& flags) {
   std::string map;
   for (const auto& [column, name] : renames(flags.map)) {

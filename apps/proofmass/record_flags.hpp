@@ -29,6 +29,9 @@ void add_record(CLI::App& verb, RecordFlags& flags, const std::string& name, con
 // Throws a usage Error on a --map that is not NAME=COLUMN, or names a column twice.
 [[nodiscard]] ReadOptions read_options(const RecordFlags& flags, const CommonFlags& common);
 
+// The options by which a result's record was read.
+[[nodiscard]] RecordFlags flags_of(const Provenance& provenance);
+
 // Adds the options to what a result says of its making.
 void add_given(Provenance& provenance, const RecordFlags& flags);
 

@@ -11,21 +11,25 @@
 
 namespace proofmass {
 
-std::string readable_text(const Coefficient& coefficient, const Unit& output) {
+std::string reading_unit(Term term, const Unit& output) {
+  return output.is_acceleration() ? readable_unit(term).symbol : coefficient_unit(term, output);
+}
+
+std::string readable_number(const Coefficient& c, const Unit& output) {
   if (!output.is_acceleration()) {
-    const std::string unit = coefficient_unit(coefficient.term, output);
-    return coefficient.standard_error
-               ? fmt::format("{} ± {} {}", uncertain_text(coefficient.value, coefficient.standard_error),
-                             significant_text(*coefficient.standard_error, 2), unit)
-               : fmt::format("{} {}", significant_text(coefficient.value, 6), unit);
+    if (!c.standard_error) return significant_text(c.value, 6);
+    return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
+                       significant_text(*c.standard_error, 2));
   }
-  const ReadableUnit unit = readable_unit(coefficient.term);
-  const double value = (coefficient.value - unit.offset) * unit.factor;
-  const std::string label = coefficient.term == Term::Ki ? "Ki-1 = " : "";
-  const std::string number = coefficient.standard_error
-                                 ? plus_minus_text(value, *coefficient.standard_error * unit.factor)
-                                 : significant_text(value, 6);
-  return fmt::format("{}{} {}", label, number, unit.symbol);
+  const ReadableUnit unit = readable_unit(c.term);
+  const double value = (c.value - unit.offset) * unit.factor;
+  return c.standard_error ? plus_minus_text(value, *c.standard_error * unit.factor)
+                          : significant_text(value, 6);
+}
+
+std::string readable_text(const Coefficient& c, const Unit& output) {
+  const std::string label = output.is_acceleration() && c.term == Term::Ki ? "Ki-1 = " : "";
+  return fmt::format("{}{} {}", label, readable_number(c, output), reading_unit(c.term, output));
 }
 
 std::string readable_interval(const Coefficient& c, const Unit& output) {

@@ -16,31 +16,38 @@ std::string raised(int number) {
   return text;
 }
 
-std::string with_minus(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '-') {
-      out += "−";
-    } else {
-      out += c;
-    }
-  }
-  return out;
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Length of the "e-06" that begins there, behind a digit or a point and before no letter; 0 for none.
+std::size_t exponent_at(std::string_view text, std::size_t k) {
+  if (text[k] != 'e' || k == 0 || (!is_digit(text[k - 1]) && text[k - 1] != '.')) return 0;
+  std::size_t end = k + 1;
+  if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
+  const std::size_t digits = end;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  return end > digits ? end - k : 0;
 }
 
 }  // namespace
 
 std::string power_of_ten(int exponent) { return "10" + raised(exponent); }
 
-std::string typeset(std::string_view number) {
-  const std::size_t e = number.find('e');
-  if (e == std::string_view::npos || e + 1 == number.size() || e == 0) return with_minus(number);
-  const std::size_t start = number[e + 1] == '+' ? e + 2 : e + 1;
-  int exponent = 0;
-  const char* const end = number.data() + number.size();
-  const auto parsed = std::from_chars(number.data() + start, end, exponent);
-  if (parsed.ec != std::errc() || parsed.ptr != end) return with_minus(number);
-  return with_minus(number.substr(0, e)) + " × " + power_of_ten(exponent);
+std::string typeset(std::string_view text) {
+  std::string out;
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t exponent = exponent_at(text, k);
+    if (exponent > 0) {
+      const std::size_t start = text[k + 1] == '+' ? k + 2 : k + 1;
+      int power = 0;
+      std::from_chars(text.data() + start, text.data() + k + exponent, power);
+      out += " × " + power_of_ten(power);
+      k += exponent;
+    } else {
+      out += text[k] == '-' ? "−" : std::string(1, text[k]);
+      ++k;
+    }
+  }
+  return out;
 }
 
 std::string typeset_unit(std::string_view unit) {

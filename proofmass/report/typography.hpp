@@ -10,8 +10,8 @@ namespace proofmass {
 // "10⁻⁶".
 [[nodiscard]] std::string power_of_ten(int exponent);
 
-// A number as the program writes it, for print: "-1.5e-06" becomes "−1.5 × 10⁻⁶".
-[[nodiscard]] std::string typeset(std::string_view number);
+// Numbers as the program writes them, for print: "-1.5e-06 ± 2e-08" becomes "−1.5 × 10⁻⁶ ± 2 × 10⁻⁸".
+[[nodiscard]] std::string typeset(std::string_view text);
 
 // "g/g^2" becomes "g/g²", "m/s^2" "m/s²", "ug" "µg".
 [[nodiscard]] std::string typeset_unit(std::string_view unit);

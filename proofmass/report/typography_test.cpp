@@ -14,6 +14,7 @@ TEST(Typography, PrintsNumbersAndUnitsAsTheSiBrochureDoes) {
   EXPECT_EQ(typeset("-1.5e-06"), "−1.5 × 10⁻⁶");
   EXPECT_EQ(typeset("2e+16"), "2 × 10¹⁶");
   EXPECT_EQ(typeset("0.25"), "0.25");
+  EXPECT_EQ(typeset("[-1.5e-06, 2.e+08]"), "[−1.5 × 10⁻⁶, 2. × 10⁸]");
   EXPECT_EQ(typeset("trainlm"), "trainlm");  // an e that is no exponent
   EXPECT_EQ(typeset("infinite"), "infinite");
   EXPECT_EQ(typeset_unit("m/s^2"), "m/s²");

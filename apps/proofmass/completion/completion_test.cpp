@@ -69,7 +69,7 @@ TEST_F(Completion, OffersVerbsOptionsAndChoicesInBash) {
   EXPECT_EQ(completed(script, "proofmass completion "), "bash zsh fish\n");
   for (const std::string verb : {"help", "manual"})
     EXPECT_EQ(completed(script, "proofmass " + verb + " "),
-              "simulate identify compare reproduce predict inspect completion manual help\n");
+              "simulate identify compare reproduce predict inspect report completion manual help\n");
 }
 
 // bash hands --method=pso over as three words, or as one where = has been taken off COMP_WORDBREAKS.

@@ -16,6 +16,7 @@
 #include "output.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/numeric/parallel.hpp"
+#include "proofmass/report/html/report.hpp"
 #include "proofmass/report/json/comparison.hpp"
 #include "proofmass/report/terminal/comparison.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
@@ -34,6 +35,7 @@ struct CompareFlags {
   std::vector<std::string> methods;
   std::uint64_t repeats = 1;
   std::string json;
+  std::string report;
   std::string truth;  // the plan that the record was simulated by, or empty
 };
 
@@ -79,6 +81,8 @@ void run_compare(const CompareFlags& flags) {
   const ReadOptions reading = read_options(flags.record, flags.common);
   require_writable_file(flags.json);
   require_other_file(flags.json, {flags.record.path, flags.truth});
+  require_writable_file(flags.report);
+  require_other_file(flags.report, {flags.record.path, flags.truth, flags.json});
   std::optional<SimulationPlan> truth;
   if (!flags.truth.empty()) truth = read_simulation(flags.truth);
   ConsoleProgress progress(flags.common.quiet);
@@ -99,7 +103,9 @@ void run_compare(const CompareFlags& flags) {
   }
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
-  if (flags.json != "-") files.add("-", render_comparison(comparison, terminal_style(flags.common.wide)));
+  if (!flags.report.empty()) files.add(flags.report, render_report(comparison, {.date = today()}));
+  if (flags.json != "-" && flags.report != "-")
+    files.add("-", render_comparison(comparison, terminal_style(flags.common.wide)));
   files.commit();
 }
 
@@ -119,6 +125,7 @@ Action add_compare(CLI::App& verb) {
       ->type_name("STAND.toml");
   flags->identify.add_to(verb, IdentifyFlags::Naming::elsewhere);
   add_json(verb, flags->json);
+  add_report_file(verb, flags->report);
   add_wide(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(

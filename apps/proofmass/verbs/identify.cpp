@@ -114,7 +114,7 @@ Action add_identify(CLI::App& verb) {
   add_record(verb, flags->record, "RUN.csv", "The test record; - is standard input");
   flags->identify.add_to(verb);
   add_json(verb, flags->json);
-  add_report(verb, flags->report);
+  add_report_file(verb, flags->report);
   add_path(verb, "--out", flags->out, "Write result.json, predictions.csv and history.csv to the folder DIR")
       ->type_name("DIR");
   add_wide(verb, flags->common);

@@ -10,6 +10,7 @@
 #include "interrupts.hpp"
 #include "output.hpp"
 #include "proofmass/numeric/parallel.hpp"
+#include "proofmass/report/html/report.hpp"
 #include "proofmass/report/paper/reproduction.hpp"
 #include "proofmass/report/terminal/wrapped_text.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
@@ -24,12 +25,14 @@ namespace fs = std::filesystem;
 struct ReproduceFlags {
   CommonFlags common;
   std::string out;
+  std::string report;
   bool quick = false;
   std::uint64_t seed = 1;
 };
 
 void run_reproduce(const ReproduceFlags& flags) {
   require_writable_folder(flags.out);
+  require_writable_file(flags.report);
   const InterruptGuard guard;
   const ThreadLimit limit(flags.common.threads);
   ReproduceOptions options = flags.quick ? quick_reproduction() : ReproduceOptions{};
@@ -45,7 +48,8 @@ void run_reproduce(const ReproduceFlags& flags) {
     for (const NamedText& file : reproduction_files(made))
       files.add(fs::path(flags.out) / file.name, file.text);
   }
-  files.add("-", render_reproduction(made));
+  if (!flags.report.empty()) files.add(flags.report, render_report(made, {.date = today()}));
+  if (flags.report != "-") files.add("-", render_reproduction(made));
   files.commit();
 }
 
@@ -63,6 +67,7 @@ Action add_reproduce(CLI::App& verb) {
   auto flags = std::make_shared<ReproduceFlags>();
   add_path(verb, "--out", flags->out, "Write the page, the tables' data and the figures to the folder DIR")
       ->type_name("DIR");
+  add_report_file(verb, flags->report);
   verb.add_flag("--quick", flags->quick, "One repeat of everything, two records for BP against PSO-BP");
   add_whole(verb, "--seed", 0, 1'000'000'000, "Seed of record, split and draws (default 1)",
             [flags](std::uint64_t n) { flags->seed = n; });

@@ -16,6 +16,7 @@ using Action = std::function<void()>;
 [[nodiscard]] Action add_compare(CLI::App& verb);
 [[nodiscard]] Action add_reproduce(CLI::App& verb);
 [[nodiscard]] Action add_inspect(CLI::App& verb);
+[[nodiscard]] Action add_report(CLI::App& verb);
 // Made from all verbs of the app that this one belongs to.
 [[nodiscard]] Action add_completion(CLI::App& verb);
 [[nodiscard]] Action add_manual(CLI::App& verb);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/html/report.hpp"
 
+#include "proofmass/core/version.hpp"
+#include "proofmass/report/html/comparison/comparison_page.hpp"
 #include "proofmass/report/html/page/page.hpp"
+#include "proofmass/report/html/reproduction/reproduction_page.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
 
 namespace proofmass {
@@ -17,6 +20,24 @@ std::string render_report(const Run& run, const RecordFigures* record, const Rep
                   .sections = {}};
   for (const html::MakeSection make : html::identification_sections())
     if (auto section = make(context)) page.sections.push_back(std::move(*section));
+  return html::render(page, interactive, style);
+}
+
+std::string render_report(const Comparison& comparison, const ReportStyle& style) {
+  InteractiveFigures interactive;
+  const html::Page page{.title = text_of(Label::comparison),
+                        .subject = comparison.input,
+                        .version = comparison.contestants.front().runs.front().provenance.version,
+                        .sections = html::comparison_sections(comparison, interactive)};
+  return html::render(page, interactive, style);
+}
+
+std::string render_report(const Reproduction& made, const ReportStyle& style) {
+  InteractiveFigures interactive;
+  const html::Page page{.title = text_of(Label::reproduction),
+                        .subject = made.twin,
+                        .version = std::string(version()),
+                        .sections = html::reproduction_sections(made, interactive)};
   return html::render(page, interactive, style);
 }
 

@@ -9,6 +9,11 @@
 #include "proofmass/report/typography.hpp"
 
 namespace proofmass {
+namespace {
+
+constexpr double kEdge = 1e-9;  // of a decade: a value on its end is within it
+
+}  // namespace
 
 bool Scale::shows(double value) const { return std::isfinite(value) && (!log_ || value > 0.0); }
 
@@ -32,7 +37,7 @@ void Scale::finish(double margin) {
     low_ -= more;
     high_ += more;
   }
-  if (log_) low_ = std::floor(low_), high_ = std::ceil(high_);
+  if (log_) low_ = std::floor(low_ + kEdge), high_ = std::ceil(high_ - kEdge);
 }
 
 double Scale::place(double value) const {

@@ -5,11 +5,14 @@
 
 #include <array>
 
+#include "proofmass/report/typography.hpp"
 #include "proofmass/report/xml_text.hpp"
 
 namespace proofmass::html {
 
 std::string escaped(std::string_view text) { return xml_escaped(text); }
+
+std::string in_print(std::string_view text) { return escaped(typeset_unit(typeset(text))); }
 
 std::string both(const Text& text) {
   if (text.en == text.zh) return escaped(text.en);

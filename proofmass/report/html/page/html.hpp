@@ -13,6 +13,9 @@ namespace proofmass::html {
 
 [[nodiscard]] std::string escaped(std::string_view text);
 
+// Text with numbers and units as the program writes them, as printed: true minus signs, raised powers.
+[[nodiscard]] std::string in_print(std::string_view text);
+
 // The text in every language, of which the page shows the one that is chosen.
 [[nodiscard]] std::string both(const Text& text);
 

@@ -34,21 +34,6 @@ std::string bar(const Coefficient& c, bool as_deviation) {
       at(0.0), at(from), at(to), at(value));
 }
 
-std::string number(const std::string& text) { return escaped(typeset(text)); }
-
-// Minus signs and powers as printed, of text that may have several numbers and a unit.
-std::string in_print(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '-') {
-      out += "−";
-    } else {
-      out += c;
-    }
-  }
-  return escaped(typeset_unit(out));
-}
-
 std::string table(const Text& caption, std::span<const Coefficient> coefficients, const Unit& output,
                   Table::Caption shown = Table::Caption::shown) {
   Table made(caption,
@@ -64,13 +49,13 @@ std::string table(const Text& caption, std::span<const Coefficient> coefficients
   for (const Coefficient& c : coefficients) {
     if (!c.identified) continue;
     const auto optional = [](const std::optional<double>& value, int digits) {
-      return value ? number(significant_text(*value, digits)) : std::string("–");
+      return value ? in_print(significant_text(*value, digits)) : std::string("–");
     };
-    const std::string p = !c.p ? "–" : *c.p < 1e-4 ? "&lt; 0.0001" : number(fmt::format("{:.4f}", *c.p));
+    const std::string p = !c.p ? "–" : *c.p < 1e-4 ? "&lt; 0.0001" : in_print(fmt::format("{:.4f}", *c.p));
     const std::string interval = readable_interval(c, output);
     made.add({escaped(name(c.term)), in_print(readable_text(c, output)),
               interval.empty() ? "–" : in_print(interval), bar(c, output.is_acceleration()),
-              number(uncertain_text(c.value, c.standard_error)), optional(c.standard_error, 3),
+              in_print(uncertain_text(c.value, c.standard_error)), optional(c.standard_error, 3),
               optional(c.t, 4), p});
   }
   return made.empty() ? std::string() : made.html();

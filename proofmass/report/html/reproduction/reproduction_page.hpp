@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "proofmass/report/html/page/section.hpp"
+#include "proofmass/study/paper/reproduction.hpp"
+
+namespace proofmass::html {
+
+// The paper's tables in its layout beside ours, and its figures.
+[[nodiscard]] std::vector<Section> reproduction_sections(const Reproduction& made,
+                                                         InteractiveFigures& interactive);
+
+}  // namespace proofmass::html
