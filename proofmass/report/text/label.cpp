@@ -38,7 +38,7 @@ constexpr std::array kWords{
     Words{"Reads", "读数"},
     Words{"Value", "值"},
     Words{"Standard error", "标准误差"},
-    Words{"95 % interval", "95 % 置信区间"},
+    Words{"95 % interval", "95 % 置信区间"},
     Words{"From zero", "相对零点"},
     Words{"Terms that are not identified", "不可辨识的项"},
     Words{"Reason", "原因"},
@@ -51,8 +51,8 @@ constexpr std::array kWords{
     Words{"test", "测试"},
     Words{"leave one out", "留一法"},
     Words{"leave one mount out", "逐安装位置留一法"},
-    Words{"MAPE is over the rows whose output is at least 1 % of its range.",
-          "MAPE 只统计输出不小于其变化范围 1 % 的行。"},
+    Words{"MAPE is over the rows whose output is at least 1 % of its range.",
+          "MAPE 只统计输出不小于其变化范围 1 % 的行。"},
     Words{"All rows were fitted.", "全部数据行均用于拟合。"},
     Words{"The test rows took no part in fitting, scaling or stopping.",
           "测试行未参与拟合、归一化与停止判断。"},
@@ -128,7 +128,7 @@ constexpr std::array kWords{
     Words{"nonlinearity, {unit}", "非线性，{unit}"},
     Words{"The terms of Ai alone without bias and scale factor: {names}.",
           "仅含 Ai 的各项（不含零偏与标度因数）：{names}。"},
-    Words{"95 % confidence", "95 % 置信带"},
+    Words{"95 % confidence", "95 % 置信带"},
     Words{"Record and settings", "数据与设置"},
     Words{"Record", "数据文件"},
     Words{"SHA-256 of the record", "数据文件的 SHA-256"},
@@ -184,9 +184,9 @@ constexpr std::array kWords{
           "对 {input} 的相同数据行比较 {methods:.0f} 种方法；重复 {repeats:.0f} 次，每次另行划分；训练比例 "
           "{fraction:.3g}。"},
     Words{"Coefficients ± one standard error, seed {seed:.0f}", "系数 ± 一倍标准误差，随机种子 {seed:.0f}"},
-    Words{"Each point is the error of a coefficient over the method's own standard error; bars are the 95 % "
+    Words{"Each point is the error of a coefficient over the method's own standard error; bars are the 95 % "
           "interval. An honest interval holds zero in 19 of 20 cases.",
-          "每点为系数误差与该方法自身标准误差之比；误差棒为 95 % 区间。可信的区间应有 19/20 包含零点。"},
+          "每点为系数误差与该方法自身标准误差之比；误差棒为 95 % 区间。可信的区间应有 19/20 包含零点。"},
     Words{"Each point is the difference of a coefficient from that of {method}, over the standard error of "
           "{method}.",
           "每点为系数与 {method} 结果之差，除以 {method} 的标准误差。"},
@@ -196,11 +196,11 @@ constexpr std::array kWords{
     Words{"Ratios are to {method}.", "比值均相对于 {method}。"},
     Words{"Figures 4 to 8", "图 4 至图 8"},
     Words{"The paper's own record is not public. This is a simulated twin ({twin}): its coefficients as "
-          "truth, {rows:.0f} rows, white noise of {noise:.4g} µg, seed {seed:.0f}, 70 % of the rows to train "
+          "truth, {rows:.0f} rows, white noise of {noise:.4g} µg, seed {seed:.0f}, 70 % of the rows to train "
           "on. Figures of the two experiments need not agree, for the records differ; their order and the "
           "costs should.",
           "论文的数据未公开。此处使用模拟数据（{twin}）：以论文系数为真值，{rows:.0f} 行，白噪声 {noise:.4g} "
-          "µg，随机种子 {seed:.0f}，70 % 的行用于训练。数据不同，两者的数值不必一致；次序与代价应当一致。"},
+          "µg，随机种子 {seed:.0f}，70 % 的行用于训练。数据不同，两者的数值不必一致；次序与代价应当一致。"},
     Words{"The paper: {citation}.", "论文：{citation}。"},
     Words{"Table 1: size of the hidden layer", "表 1：隐含层节点数"},
     Words{"Training MSE of textbook BP in ({unit})²; repeats with other splits and starts: {repeats:.0f}. "
