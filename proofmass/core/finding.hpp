@@ -154,6 +154,8 @@ enum class Code : std::uint8_t {
   residuals_correlated,
   sigma_inputs_unused,
   sigma_output_uneven,
+  output_far_off,
+  sigma_output_far_off,
   // predict
   inputs_outside_range,
   // compare with a known truth

@@ -21,6 +21,7 @@
 #include "proofmass/assess/diagnosis/fit/unlike_rows.hpp"
 #include "proofmass/assess/diagnosis/record/duplicated_rows.hpp"
 #include "proofmass/assess/diagnosis/record/implausible_inputs.hpp"
+#include "proofmass/assess/diagnosis/record/implausible_outputs.hpp"
 #include "proofmass/assess/diagnosis/record/input_unit.hpp"
 #include "proofmass/assess/diagnosis/record/misread_columns.hpp"
 #include "proofmass/assess/diagnosis/record/output_limits.hpp"
@@ -97,7 +98,8 @@ bool is_explained(std::span<const Finding> of_record) {
   constexpr std::array kCauses{Code::inputs_in_other_unit, Code::input_far_off,    Code::inputs_are_angles,
                                Code::rows_shifted,         Code::output_unsigned,  Code::output_copies_input,
                                Code::output_clipped,       Code::output_saturated, Code::output_held,
-                               Code::output_stuck,         Code::output_repeated,  Code::output_wrapped};
+                               Code::output_stuck,         Code::output_repeated,  Code::output_wrapped,
+                               Code::output_far_off};
   return std::any_of(kCauses.begin(), kCauses.end(), [&](Code code) { return has(of_record, code); });
 }
 
@@ -128,10 +130,12 @@ std::vector<Finding> diagnose_record(const Dataset& record) {
   add(findings, find_implausible_temperature(record));
   const Dataset plausible = unlike.rows.empty() ? Dataset() : without_rows(record, unlike.rows);
   const Dataset& judged = unlike.rows.empty() ? record : plausible;
-  if (!far_input && !add(findings, find_misread_column(judged))) {
+  const bool far_output = add(findings, find_far_output(record));
+  if (!far_input && !far_output && !add(findings, find_misread_column(judged))) {
     add(findings, find_output_limits(judged));
     add(findings, find_wrapped_output(judged));
   }
+  add(findings, find_far_sigma(record));
   add(findings, find_duplicated_rows(record));
   add(findings, find_time_disorder(record));
   return findings;
@@ -143,12 +147,15 @@ std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding
   add(findings, find_few_degrees_of_freedom(result));
   FittedRows rows(record, split.training, result, sigmas.inputs_uncertain);
   if (has(of_record, Code::temperature_implausible)) rows.leave_out_temperature();
-  bool explained = is_explained(of_record) || add(findings, find_misfit(rows, result));
+  // Where rows weigh by a wrong sigma_E, the residuals of the others follow from it.
+  const bool wrong_weights = has(of_record, Code::sigma_output_far_off) && !rows.weights().empty();
+  bool explained = is_explained(of_record) || wrong_weights || add(findings, find_misfit(rows, result));
   if (!explained) {
     add(findings, find_implausible_scale_factor(rows, result));
     explained = add_residual_findings(findings, rows, result);
   }
-  add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns, explained));
+  if (!has(of_record, Code::sigma_output_far_off))
+    add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns, explained));
   add(findings, find_unlike_rows(rows, record, split, result));
   return findings;
 }

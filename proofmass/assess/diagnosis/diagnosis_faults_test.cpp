@@ -257,6 +257,12 @@ std::vector<Fault> faults() {
          }
        },
        linear_terms()},
+      {Code::output_far_off, "overload",
+       [](Dataset& r) {
+         r.output[20] = 99'999.0;
+         r.output[70] = -99'999.0;
+       }},
+      {Code::sigma_output_far_off, "mark", [](Dataset& r) { r.output_sigma[20] = 999.0; }},
       {Code::cross_axis_large, "six_degrees_in_volts",
        [](Dataset& r) {
          r.output_unit = find_unit("V").value();

@@ -69,6 +69,8 @@ constexpr std::array kPhrases{
         "of neighbouring rows are correlated ({correlation:.2f}, {errors:.3g} standard errors) within "
         "mounts, and not from one mount to the next: errors of the stand (alignment, radius, fixture) "
         "have this effect"},
+    NamedPhrase{"weight", "none", "counts for nothing"},
+    NamedPhrase{"weight", "all", "decides alone about the coefficients"},
     NamedPhrase{"which", "largest", "largest"},
     NamedPhrase{"which", "smallest", "smallest"}};
 
@@ -238,6 +240,16 @@ std::string_view english_diagnosis(Code code) noexcept {
              "{limit:.3g} {unit} and more they are {large:.3g} times it, over the others {small:.3g} "
              "times. Weights by sigma_E favour the wrong rows, and standard errors from it are wrong. "
              "Check the unit and the rows of sigma_E";
+    case Code::output_far_off:
+      return "E is {value:g} {unit} in line {line:.0f}, more than {limit:g} times what it is at most in the "
+             "other rows ({count:.0f} {count:?row|rows} of that kind, and nothing between): the mark of an "
+             "overload or of a missing value, or a slip. Such a row decides alone about the coefficients. "
+             "Correct it or leave it out: {count:?line|lines} {lines}";
+    case Code::sigma_output_far_off:
+      return "sigma_E is {value:.3g} {unit} in line {line:.0f}, and {others:.3g} {unit} by the median "
+             "({count:.0f} {count:?row|rows} of that kind, and nothing between): the mark of a missing "
+             "value, or a slip. Weighted by sigma_E such a row {weight}. Correct sigma_E, or leave the "
+             "{count:?row|rows} out: {count:?line|lines} {lines}";
     default:
       return {};
   }

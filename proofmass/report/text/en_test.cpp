@@ -91,10 +91,10 @@ Finding with_every_figure(Code code) {
                              "small"}) {
     finding.figures.emplace_back(number, 2.0);
   }
-  for (const char* word :
-       {"axes", "column",  "columns", "encoding", "criterion", "inflated", "method",     "named",    "origin",
-        "read", "written", "which",   "hint",     "reason",    "mount",    "magnitudes", "size",     "within",
-        "plan", "product", "text",    "unit",     "axis",      "shape",    "function",   "direction"}) {
+  for (const char* word : {"axes",  "column",     "columns", "encoding", "criterion", "inflated", "method",
+                           "named", "origin",     "read",    "written",  "which",     "hint",     "reason",
+                           "mount", "magnitudes", "size",    "within",   "plan",      "product",  "text",
+                           "unit",  "axis",       "shape",   "function", "direction", "course",   "weight"}) {
     finding.figures.emplace_back(word, "<" + std::string(word) + ">");
   }
   return finding;

@@ -29,7 +29,7 @@ constexpr int kTrims = 6;
 constexpr double kSettled = 0.9;  // of the scale before
 constexpr double kFewDof = 30.0;
 constexpr double kLeastVariance =
-    1e-9;  // of the largest variance: below it a row is fitted whatever its output
+    1e-9;  // of a row's own variance: below it the row is fitted whatever its output
 
 // One residual a row, as if all had one variance.
 struct AlikeResiduals {
@@ -98,9 +98,9 @@ RowNoise noise_of(const FittedRows& rows) {
 // Residuals as if all had one variance.
 AlikeResiduals alike_residuals(const FittedRows& rows, const RowNoise& noise, std::vector<double> residuals) {
   AlikeResiduals alike{.residuals = std::move(residuals), .values = std::vector<double>(rows.rows(), 0.0)};
-  const double least = kLeastVariance * *std::max_element(noise.left.begin(), noise.left.end());
   for (std::size_t row = 0; row < alike.values.size(); ++row) {
-    if (noise.left[row] > least) alike.values[row] = alike.residuals[row] / std::sqrt(noise.left[row]);
+    if (noise.left[row] > kLeastVariance * noise.variance[row])
+      alike.values[row] = alike.residuals[row] / std::sqrt(noise.left[row]);
   }
   // Where all rows have one variance, no less than rounding leaves.
   const bool one_variance = rows.weights().empty() && rows.record().output_sigma.empty();

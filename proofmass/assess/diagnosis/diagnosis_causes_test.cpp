@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults in records of stands, planned as they are: that the cause is named, and not what it looks like.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "proofmass/assess/diagnosis/diagnosis.hpp"
+#include "support/diagnosed.hpp"
+#include "support/findings.hpp"
+
+namespace proofmass {
+namespace {
+
+using test::clean_record;
+using test::diagnosed;
+using test::finding_of;
+using test::has;
+using test::kNoise;
+using test::warnings;
+using NamedCodes = std::vector<Code>;
+using NamedLines = std::vector<std::size_t>;
+
+double response(const Acceleration& a) {
+  return 1e-3 + 1.0007 * a.i + 1e-4 * a.o - 2e-4 * a.p + 2e-5 * a.i * a.i + 1e-5 * a.i * a.o;
+}
+
+Dataset record_of(const std::vector<Acceleration>& inputs, std::uint64_t seed = 3, double noise = kNoise) {
+  Dataset record;
+  record.output_unit = find_unit("g").value();
+  record.output_unit_declared = true;
+  record.acceleration_resolution.fill(1e-9);
+  RandomStream random(seed, stream_id("planned record"));
+  for (const Acceleration& a : inputs) {
+    record.acceleration[0].push_back(a.i);
+    record.acceleration[1].push_back(a.o);
+    record.acceleration[2].push_back(a.p);
+    record.output.push_back(response(a) + noise * random.normal());
+    record.line.push_back(record.line.size() + 2);
+  }
+  return record;
+}
+
+// Positions of a dividing head at equal angles, in the plane of IA and OA.
+std::vector<Acceleration> plane(int positions) {
+  std::vector<Acceleration> inputs;
+  for (int k = 0; k < positions; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / positions;
+    inputs.push_back({.i = std::cos(angle), .o = std::sin(angle), .p = 0.0});
+  }
+  return inputs;
+}
+
+// The same, and then in that of IA and PA.
+std::vector<Acceleration> two_planes(int positions) {
+  std::vector<Acceleration> inputs = plane(positions);
+  for (const Acceleration& a : plane(positions)) inputs.push_back({.i = a.i, .o = 0.0, .p = a.o});
+  return inputs;
+}
+
+// A dividing head, then a centrifuge with its arm along seven directions.
+std::vector<Acceleration> head_and_centrifuge() {
+  std::vector<Acceleration> inputs = two_planes(24);
+  for (const double level : {2.0, 5.0, 10.0, 15.0, 20.0, 30.0}) {
+    for (const Acceleration& a : {Acceleration{1.0, 0.0, 0.0},
+                                  {-1.0, 0.0, 0.0},
+                                  {0.6, 0.8, 0.0},
+                                  {-0.6, 0.8, 0.0},
+                                  {0.6, 0.0, 0.8},
+                                  {-0.6, 0.0, 0.8},
+                                  {0.0, 0.6, 0.8}})
+      inputs.push_back({.i = level * a.i, .o = level * a.o, .p = level * a.p});
+  }
+  return inputs;
+}
+
+Identification judged(const Dataset& record, const Method& method = Ols{},
+                      const TermList& terms = quadratic_terms()) {
+  return diagnosed(record, method, terms).identification;
+}
+
+TEST(DiagnosisOfCauses, SaysNothingOfTheRecordsAsTheyAre) {
+  for (const std::uint64_t seed : {3U, 4U, 5U}) {
+    EXPECT_EQ(warnings(judged(record_of(plane(24), seed))), NamedCodes()) << seed;
+    EXPECT_EQ(warnings(judged(record_of(two_planes(36), seed))), NamedCodes()) << seed;
+    EXPECT_EQ(warnings(judged(record_of(head_and_centrifuge(), seed))), NamedCodes()) << seed;
+  }
+}
+
+TEST(DiagnosisOfMarks, NamesTheirLines) {
+  for (const double mark : {9999.0, 99'999.0, -999.0}) {
+    Dataset record = record_of(two_planes(24));
+    record.output[5] = mark;
+    record.output[30] = mark;
+    const Identification result = judged(record);
+    EXPECT_EQ(warnings(result), NamedCodes{Code::output_far_off}) << mark;
+    EXPECT_EQ(finding_of(result, Code::output_far_off).lines, (NamedLines{7, 32})) << mark;
+  }
+}
+
+TEST(DiagnosisOfMarks, TakesNoReadingForOne) {
+  // The one reading in an acceleration that no other row has.
+  std::vector<Acceleration> inputs(30, Acceleration{.i = 0.5, .o = 0.0, .p = 0.0});
+  for (std::size_t row = 0; row < inputs.size(); ++row) inputs[row].i = 0.1 * static_cast<double>(row % 10);
+  inputs.push_back({.i = 60.0, .o = 0.0, .p = 0.0});
+  EXPECT_FALSE(has(judged(record_of(inputs), Ols{}, {Term::K0, Term::Ki}), Code::output_far_off));
+}
+
+TEST(DiagnosisOfMarks, SaysThatSigmaIsOne) {
+  for (const double mark : {999.0, 1e-12}) {
+    Dataset record = record_of(two_planes(24));
+    record.output_sigma.assign(record.rows(), kNoise);
+    EXPECT_EQ(warnings(judged(record, Wls{})), NamedCodes());
+    record.output_sigma[9] = mark;
+    const Identification result = judged(record, Wls{});
+    EXPECT_EQ(warnings(result), NamedCodes{Code::sigma_output_far_off}) << mark;
+    EXPECT_EQ(finding_of(result, Code::sigma_output_far_off).lines, NamedLines{11}) << mark;
+  }
+}
+
+}  // namespace
+}  // namespace proofmass
