@@ -19,6 +19,7 @@
 #include "proofmass/assess/diagnosis/fit/serial_correlation.hpp"
 #include "proofmass/assess/diagnosis/fit/short_model.hpp"
 #include "proofmass/assess/diagnosis/fit/unlike_rows.hpp"
+#include "proofmass/assess/diagnosis/mixed_units.hpp"
 #include "proofmass/assess/diagnosis/record/duplicated_rows.hpp"
 #include "proofmass/assess/diagnosis/record/implausible_inputs.hpp"
 #include "proofmass/assess/diagnosis/record/implausible_outputs.hpp"
@@ -131,7 +132,8 @@ std::vector<Finding> diagnose_record(const Dataset& record) {
   const Dataset plausible = unlike.rows.empty() ? Dataset() : without_rows(record, unlike.rows);
   const Dataset& judged = unlike.rows.empty() ? record : plausible;
   const bool far_output = add(findings, find_far_output(record));
-  if (!far_input && !far_output && !add(findings, find_misread_column(judged))) {
+  if (!far_input && !far_output && !add(findings, find_misread_column(judged)) &&
+      rows_in_other_unit(judged).empty()) {
     add(findings, find_output_limits(judged));
     add(findings, find_wrapped_output(judged));
   }

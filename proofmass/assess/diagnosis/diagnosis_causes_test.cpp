@@ -121,5 +121,28 @@ TEST(DiagnosisOfMarks, SaysThatSigmaIsOne) {
   }
 }
 
+TEST(DiagnosisOfMixedUnits, NamesThemWhicheverRowsTheyAre) {
+  const auto mixed = [](const std::vector<Acceleration>& inputs,
+                        const std::function<bool(std::size_t)>& other, bool of_inputs) {
+    Dataset record = record_of(inputs);
+    for (std::size_t row = 0; row < record.rows(); ++row) {
+      if (!other(row)) continue;
+      if (!of_inputs) record.output[row] *= kStandardGravity;
+      for (std::vector<double>& axis : record.acceleration) axis[row] *= of_inputs ? kStandardGravity : 1.0;
+    }
+    return judged(record);
+  };
+  const auto second_part = [](std::size_t row) { return row >= 48; };
+  const auto some = [](std::size_t row) { return row * 7 % 10 < 5; };
+  for (const bool of_inputs : {false, true}) {
+    for (const Identification& result :
+         {mixed(head_and_centrifuge(), second_part, of_inputs), mixed(two_planes(36), some, of_inputs)}) {
+      ASSERT_EQ(warnings(result), NamedCodes{Code::gross_misfit}) << of_inputs;
+      EXPECT_EQ(test::word(finding_of(result, Code::gross_misfit), "reason"), "mixed") << of_inputs;
+      EXPECT_FALSE(finding_of(result, Code::gross_misfit).lines.empty()) << of_inputs;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace proofmass

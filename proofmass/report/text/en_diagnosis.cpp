@@ -41,8 +41,15 @@ constexpr std::array kPhrases{
     NamedPhrase{"reason", "terms",
                 "terms of the static model that are left out explain most of it. Ask for the model full, and "
                 "drop the terms that are not identifiable"},
-    NamedPhrase{"reason", "rows", kRows},
-    NamedPhrase{"reason", "mixed", kMixed},
+    NamedPhrase{"reason", "rows",
+                "a few rows are far off, the others are not{named}. Correct or leave out what is wrong, or "
+                "use the method robust, and look at the rows that it suspects"},
+    NamedPhrase{"named", "lines", ": {count:?line|lines} {lines}"},
+    NamedPhrase{"reason", "mixed",
+                "the inputs or the outputs of some rows are in another unit than those of the others, or "
+                "of another scale (a ratio of 9.8, or of 1000). The coefficients mean nothing as they are. "
+                "Convert the rows to one unit; of those along the input axis they are {count:?line|lines} "
+                "{lines}"},
     NamedPhrase{
         "reason", "unrelated",
         "the output hardly depends on the inputs. The wrong column is read, or rows are in another order"},
@@ -172,7 +179,7 @@ std::string_view english_diagnosis(Code code) noexcept {
              "themselves uncertain by about {percent:.0f} %, and a misfit cannot show. Use more rows, or "
              "fewer terms";
     case Code::gross_misfit:
-      return "the fit does not explain the outputs (R² is {r2:.3g}, below {limit:g}): {reason}";
+      return "the fit does not explain the outputs (R² is {r2:.3g}): {reason}";
     case Code::model_too_short:
       return "the residuals follow {count:.0f} {count:?term|terms} that the model lacks and that the rows "
              "can identify: {terms} ({errors:.3g} standard errors). With them the residuals' standard "
