@@ -156,6 +156,7 @@ enum class Code : std::uint8_t {
   sigma_output_uneven,
   output_far_off,
   sigma_output_far_off,
+  square_larger,
   // predict
   inputs_outside_range,
   // compare with a known truth

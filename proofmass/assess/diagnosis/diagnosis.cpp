@@ -154,7 +154,7 @@ std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding
   bool explained = is_explained(of_record) || wrong_weights || add(findings, find_misfit(rows, result));
   if (!explained) {
     add(findings, find_implausible_scale_factor(rows, result));
-    explained = add_residual_findings(findings, rows, result);
+    explained = has(findings, Code::square_larger) || add_residual_findings(findings, rows, result);
   }
   if (!has(of_record, Code::sigma_output_far_off))
     add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns, explained));

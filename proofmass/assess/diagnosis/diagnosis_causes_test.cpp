@@ -144,5 +144,13 @@ TEST(DiagnosisOfMixedUnits, NamesThemWhicheverRowsTheyAre) {
   }
 }
 
+TEST(DiagnosisOfSquares, TakesNoPositionsForAngles) {
+  for (const std::vector<Acceleration>& inputs : {plane(24), two_planes(36), head_and_centrifuge()}) {
+    Dataset record = record_of(inputs);
+    for (double& e : record.output) e *= e;
+    EXPECT_EQ(warnings(judged(record)), NamedCodes{Code::square_larger}) << inputs.size();
+  }
+}
+
 }  // namespace
 }  // namespace proofmass

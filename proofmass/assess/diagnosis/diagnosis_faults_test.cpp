@@ -263,6 +263,10 @@ std::vector<Fault> faults() {
          r.output[70] = -99'999.0;
        }},
       {Code::sigma_output_far_off, "mark", [](Dataset& r) { r.output_sigma[20] = 999.0; }},
+      {Code::square_larger, "squared",
+       [](Dataset& r) {
+         for (double& e : r.output) e *= e;
+       }},
       {Code::cross_axis_large, "six_degrees_in_volts",
        [](Dataset& r) {
          r.output_unit = find_unit("V").value();

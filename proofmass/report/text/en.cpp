@@ -275,6 +275,7 @@ std::string_view sentence(Code code) noexcept {
     case Code::sigma_output_uneven:
     case Code::output_far_off:
     case Code::sigma_output_far_off:
+    case Code::square_larger:
       return english_diagnosis(code);
     case Code::inputs_outside_range:
       return "{count:.0f} of {total:.0f} rows {count:?lies|lie} outside the range that the result was "

@@ -170,6 +170,11 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "{terms} ({value:.6g} {unit}) is larger than Ki ({ki:.6g} {unit}): the columns of the axes are "
              "swapped, or the instrument is mounted along another axis than the record says. Name the "
              "columns as they are";
+    case Code::square_larger:
+      return "{terms} ({value:.6g} {unit}²) makes more of the output than Ki ({ki:.6g} {unit}): the output "
+             "goes with the square of an input, as a power does, or a reading without its sign. The "
+             "coefficients are not those of an accelerometer. Name the column of the outputs, or give the "
+             "readings themselves";
     case Code::cross_axis_large:
       return "{terms} is {percent:.3g} % of Ki, as of an instrument turned by {angle:.3g}° from the axes "
              "of the record, or of outputs that stand beside the inputs of another position. Align the "

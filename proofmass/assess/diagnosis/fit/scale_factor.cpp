@@ -7,8 +7,10 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "proofmass/assess/diagnosis/fit/likely_reason.hpp"
+#include "proofmass/assess/diagnosis/record/unexplained.hpp"
 
 namespace proofmass {
 namespace {
@@ -19,6 +21,7 @@ constexpr double kMuchCloser = 9.0;    // in what of the outputs' variance is no
 constexpr double kLeastErrorsOfScale = 5.0;  // standard errors
 constexpr double kTurned = 0.02;             // of sqrt(Ki² + Ko² + Kp²) from one
 constexpr double kLargeMisalignment = 0.05;  // of Ki: three degrees
+constexpr double kBeyondLinear = 0.1;        // of the outputs' variance
 constexpr double kLeastTurn = 0.1;           // cross axis over Ki, and its inverse
 
 // What Ki is when a quantity is in another unit than it is taken for, in g.
@@ -115,6 +118,27 @@ std::optional<Finding> larger_cross_axis(const Identification& result, const Coe
                  .figures = {{"value", found->value}, {"ki", ki.value}, {"unit", unit}}};
 }
 
+// The output goes with the square of an input: it was squared, or is a power.
+std::optional<Finding> larger_square(const FittedRows& rows, const Identification& result,
+                                     const Coefficient& ki, const std::string& unit) {
+  // A mistyped input lets terms that cancel each other in all other rows have any value.
+  if (unexplained_by_linear_terms(rows.record()) < kBeyondLinear) return std::nullopt;
+  for (const auto& [term, axis] :
+       {std::pair{Term::Kii, Axis::input}, {Term::Koo, Axis::output}, {Term::Kpp, Axis::pendulous}}) {
+    const Coefficient* const found = coefficient_of(result, term);
+    if (found == nullptr) continue;
+    double largest = 0.0;
+    for (const double a : rows.record().along(axis)) largest = std::max(largest, std::abs(a));
+    const double doubt = kLeastErrorsOfScale * std::hypot(largest * error_of(*found), error_of(ki));
+    if (largest * std::abs(found->value) - std::abs(ki.value) <= doubt) continue;
+    return Finding{.code = Code::square_larger,
+                   .severity = Severity::warning,
+                   .terms = {term},
+                   .figures = {{"value", found->value}, {"ki", ki.value}, {"unit", unit}}};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Finding> find_implausible_scale_factor(const FittedRows& rows, const Identification& result) {
@@ -135,6 +159,7 @@ std::vector<Finding> find_implausible_scale_factor(const FittedRows& rows, const
                                     {"kp", value_of(result, Term::Kp)}}});
     return findings;
   }
+  if (auto found = larger_square(rows, result, *ki, symbol)) return {std::move(*found)};
   for (const Term cross : {Term::Ko, Term::Kp}) {
     if (auto found = larger_cross_axis(result, *ki, cross, symbol)) findings.push_back(std::move(*found));
   }

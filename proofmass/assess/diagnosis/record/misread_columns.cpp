@@ -19,10 +19,13 @@ namespace {
 
 constexpr std::size_t kLeastSampled = 12;      // rows, that leave eight degrees of freedom beside four terms
 constexpr double kExplains = 0.1;              // of the outputs' variance, that another reading may leave
+constexpr double kExplainsWithSign = 0.01;     // likewise, of rectified outputs: their squares leave 0.04
 constexpr double kMuchCloserOtherwise = 25.0;  // in what is left of the outputs' variance
 constexpr double kCloserAsAngle = 100.0;       // a sine bends as an output does that saturates
 constexpr double kExplainedAlready = 1e-4;     // of the outputs' variance, that is left
 constexpr double kLeastAngle = 90.0;           // degrees, of an axis' range
+constexpr double kOneMagnitude = 0.02;         // of |A|
+constexpr double kNearlyAll = 0.9;             // of the rows
 constexpr std::size_t kMostShift = 10;         // rows
 constexpr double kSameOutput = 1e-12;          // of each output
 constexpr double kFineStep = 1e-5;             // of the range of the outputs
@@ -76,6 +79,20 @@ double left_by_angles(const Dataset& rows, const AngleUnit& unit, const AngleFun
     for (double& value : values) value = function.of(value * to_degrees * std::numbers::pi / 180.0);
   }
   return any ? unexplained_by_linear_terms(turned) : 1.0;
+}
+
+// Whether two axes or three make one |A| in nearly all rows, as in a tumble: angles do not.
+bool has_one_magnitude(const Dataset& rows) {
+  if (rows.axes().size() < 2) return false;
+  std::vector<double> sizes;
+  for (std::size_t row = 0; row < rows.rows(); ++row) sizes.push_back(magnitude(rows.at(row)));
+  std::vector<double> ordered(sizes);
+  const auto middle = ordered.begin() + static_cast<std::ptrdiff_t>(ordered.size() / 2);
+  std::nth_element(ordered.begin(), middle, ordered.end());
+  const double near = kOneMagnitude * *middle;
+  const auto alike = std::count_if(sizes.begin(), sizes.end(),
+                                   [&](double size) { return std::abs(size - *middle) <= near; });
+  return static_cast<double>(alike) >= kNearlyAll * static_cast<double>(sizes.size());
 }
 
 // Not of a record whose own inputs explain its outputs: a few values are as well on a sine as on a line.
@@ -154,7 +171,7 @@ std::optional<Finding> find_lost_sign(const Dataset& rows, double unexplained) {
   for (std::size_t row = 0; row < a.size(); ++row)
     with_sign.output[row] = std::copysign(rows.output[row], a[row]);
   const double left = unexplained_by_linear_terms(with_sign);
-  if (left > kExplains || left * kMuchCloserOtherwise > unexplained) return std::nullopt;
+  if (left > kExplainsWithSign || left * kMuchCloserOtherwise > unexplained) return std::nullopt;
   return Finding{.code = Code::output_unsigned, .severity = Severity::warning};
 }
 
@@ -166,7 +183,9 @@ std::optional<Finding> find_misread_column(const Dataset& record) {
   const std::vector<std::size_t> sample = thinned_rows(record.rows(), kSampledRows);
   const Dataset rows = record.select(sample);
   const double unexplained = unexplained_by_linear_terms(rows);
-  if (auto angles = find_angles(rows, unexplained)) return angles;
+  if (!has_one_magnitude(rows)) {
+    if (auto angles = find_angles(rows, unexplained)) return angles;
+  }
   if (auto shift = find_shift(record, sample, unexplained)) return shift;
   return find_lost_sign(rows, unexplained);
 }
