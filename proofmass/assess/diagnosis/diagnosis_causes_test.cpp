@@ -152,5 +152,14 @@ TEST(DiagnosisOfSquares, TakesNoPositionsForAngles) {
   }
 }
 
+TEST(DiagnosisOfWraps, KnowsRowsThatAreWrongAmongOthers) {
+  // Two rows, each with the output of the other.
+  Dataset record = record_of(two_planes(36));
+  std::swap(record.output[3], record.output[16]);
+  const Identification result = judged(record);
+  EXPECT_FALSE(has(result, Code::output_wrapped));
+  EXPECT_EQ(finding_of(result, Code::gross_misfit).lines, (NamedLines{5, 18}));
+}
+
 }  // namespace
 }  // namespace proofmass

@@ -17,7 +17,9 @@ namespace {
 
 constexpr std::size_t kLeastRows = 6;
 constexpr std::size_t kLeastMoved = 2;
-constexpr double kJump = 0.5;  // of the range of the outputs
+constexpr double kJump = 0.5;        // of the range of the outputs
+constexpr double kWholeTurn = 0.95;  // of the range, that a turn is at least
+constexpr double kOverlap = 0.05;    // of a turn, that outputs of two turns may have in common
 constexpr int kFewestBits = 8;
 constexpr int kMostBits = 32;
 constexpr double kNearPower = 0.01;
@@ -87,6 +89,25 @@ double sum_about_mean(const std::vector<double>& values) {
                          [mean](double sum, double v) { return sum + (v - mean) * (v - mean); });
 }
 
+// Whether the outputs of each turn, put right, lie beyond those of the turn before, as when a range has run
+// over: rows that are wrong among others, with another sign say, do not.
+bool turns_follow(const std::vector<double>& right, const std::vector<double>& turns, double overlap) {
+  struct Span {
+    double least = 0.0;
+    double greatest = 0.0;
+  };
+  std::map<double, Span> spans;
+  for (std::size_t row = 0; row < right.size(); ++row) {
+    const auto [at, is_new] = spans.try_emplace(turns[row], Span{right[row], right[row]});
+    at->second.least = std::min(at->second.least, right[row]);
+    at->second.greatest = std::max(at->second.greatest, right[row]);
+  }
+  for (auto one = spans.begin(), next = one; one != spans.end() && ++next != spans.end(); ++one) {
+    if (next->second.least < one->second.greatest - overlap) return false;
+  }
+  return true;
+}
+
 // Whether the outputs follow the inputs more closely than before, or, where few set-ups let bias and cross
 // axes take up the jump, as closely and by a scale factor that is then larger than they are.
 bool is_plainer(const LinearFit& unwrapped, const LinearFit& before) {
@@ -124,10 +145,11 @@ std::optional<Finding> find_wrapped_output(const Dataset& record) {
 
   const LinearFit before = fit_linear(rows);
   const Jump jump = jump_of(record, range, best_jump(before, turns, fit_linear(with_output(rows, turns))));
-  if (!(jump.size > kJump * range)) return std::nullopt;
+  if (!(jump.size > kWholeTurn * range)) return std::nullopt;
   std::vector<double> right(rows.output);
   for (std::size_t row = 0; row < right.size(); ++row) right[row] += jump.size * turns[row];
   const LinearFit after = fit_linear(with_output(rows, right));
+  if (!turns_follow(right, turns, kOverlap * jump.size)) return std::nullopt;
   if (!is_plainer(after, before) || !(after.rss < kUnexplained * sum_about_mean(right))) return std::nullopt;
   const Unit& unit = record.output_unit;
   return Finding{
