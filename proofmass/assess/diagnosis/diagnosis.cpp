@@ -104,6 +104,13 @@ bool is_explained(std::span<const Finding> of_record) {
   return std::any_of(kCauses.begin(), kCauses.end(), [&](Code code) { return has(of_record, code); });
 }
 
+// Rows at a limit have one output without having been pasted twice.
+bool has_limited_output(std::span<const Finding> of_record) {
+  constexpr std::array kLimits{Code::output_clipped, Code::output_saturated, Code::output_held,
+                               Code::output_stuck, Code::output_repeated};
+  return std::any_of(kLimits.begin(), kLimits.end(), [&](Code code) { return has(of_record, code); });
+}
+
 // The others, each with its line.
 Dataset without_rows(const Dataset& record, const std::vector<std::size_t>& rows) {
   std::vector<std::size_t> others;
@@ -138,7 +145,7 @@ std::vector<Finding> diagnose_record(const Dataset& record) {
     add(findings, find_wrapped_output(judged));
   }
   add(findings, find_far_sigma(record));
-  add(findings, find_duplicated_rows(record));
+  if (!has_limited_output(findings)) add(findings, find_duplicated_rows(record));
   add(findings, find_time_disorder(record));
   return findings;
 }

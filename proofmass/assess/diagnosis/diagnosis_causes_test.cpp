@@ -161,5 +161,22 @@ TEST(DiagnosisOfWraps, KnowsRowsThatAreWrongAmongOthers) {
   EXPECT_EQ(finding_of(result, Code::gross_misfit).lines, (NamedLines{5, 18}));
 }
 
+TEST(DiagnosisOfClipping, SeesNarrowEnds) {
+  const auto clipped = [](const std::vector<Acceleration>& inputs, double noise) {
+    Dataset record = record_of(inputs);
+    double limit = 0.0;
+    for (const double e : record.output) limit = std::max(limit, 0.95 * std::abs(e));
+    RandomStream random(5, stream_id("ends"));
+    for (double& e : record.output) {
+      if (std::abs(e) > limit) e = std::copysign(limit, e) + noise * random.normal();
+    }
+    return warnings(judged(record));
+  };
+  EXPECT_EQ(clipped(two_planes(36), 0.0), (NamedCodes{Code::output_clipped, Code::output_clipped}));
+  EXPECT_EQ(clipped(plane(24), kNoise), NamedCodes{Code::output_saturated});
+  EXPECT_EQ(clipped(two_planes(24), kNoise), NamedCodes{Code::output_saturated});
+  EXPECT_EQ(clipped(head_and_centrifuge(), 0.0), NamedCodes{Code::output_saturated});
+}
+
 }  // namespace
 }  // namespace proofmass

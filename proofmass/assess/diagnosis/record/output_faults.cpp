@@ -10,7 +10,7 @@
 namespace proofmass {
 namespace {
 
-constexpr double kShort = 0.03;  // of the range of the outputs, that a row asks for beyond their end
+constexpr double kShort = 0.015;  // of the range of the outputs, that a row asks for beyond their end
 constexpr double kManyScales = 20.0;
 constexpr double kFlat = 0.5;  // output over expected output, beyond the end
 constexpr std::size_t kLeastSaturated = 2;
@@ -38,9 +38,10 @@ double slope_over(const std::vector<std::size_t>& rows, const std::vector<double
   return xx > 0.0 ? xy / xx : 0.0;
 }
 
-// The rows that ask for more than the outputs' end on one side; `sign` is 1 for the largest, -1 for the
-// smallest.
-std::vector<std::size_t> rows_beyond(const Dataset& record, const PlainResponse& plain, double sign) {
+// The rows that ask for more than the outputs' end on one side, `least` of them or more; `sign` is 1 for the
+// largest, -1 for the smallest.
+std::vector<std::size_t> rows_beyond(const Dataset& record, const PlainResponse& plain, double sign,
+                                     std::size_t least) {
   double end = sign * record.output.front();
   for (const double e : record.output) end = std::max(end, sign * e);
   const double margin = std::max(kShort * plain.range, kManyScales * plain.scale);
@@ -48,7 +49,7 @@ std::vector<std::size_t> rows_beyond(const Dataset& record, const PlainResponse&
   for (std::size_t row = 0; row < record.rows(); ++row) {
     if (sign * plain.expected[row] > end + margin) rows.push_back(row);
   }
-  if (rows.size() < kLeastSaturated) return {};
+  if (rows.size() < least) return {};
   const bool curved =
       spread_over(plain.expected, rows) > margin && slope_over(rows, plain.expected, record.output) > kFlat;
   return curved ? std::vector<std::size_t>() : rows;
@@ -96,13 +97,21 @@ RowRun longest_stuck(const Dataset& record, const PlainResponse& plain, std::siz
 }  // namespace
 
 std::optional<Finding> find_saturation(const Dataset& record, const PlainResponse& plain) {
+  // One row at an end may be wrong itself; one at each end is the range.
+  const bool both =
+      !rows_beyond(record, plain, 1.0, 1).empty() && !rows_beyond(record, plain, -1.0, 1).empty();
   for (const double sign : {1.0, -1.0}) {
-    const std::vector<std::size_t> rows = rows_beyond(record, plain, sign);
+    std::vector<std::size_t> rows = rows_beyond(record, plain, sign, both ? 1 : kLeastSaturated);
     if (rows.empty()) continue;
     double end = sign * record.output.front();
     double most = 0.0;
     for (const double e : record.output) end = std::max(end, sign * e);
     for (const std::size_t row : rows) most = std::max(most, sign * plain.expected[row]);
+    if (both) {
+      const std::vector<std::size_t> others = rows_beyond(record, plain, -sign, 1);
+      rows.insert(rows.end(), others.begin(), others.end());
+      std::sort(rows.begin(), rows.end());
+    }
     const Unit& unit = record.output_unit;
     return Finding{.code = Code::output_saturated,
                    .severity = Severity::warning,

@@ -15,9 +15,10 @@
 namespace proofmass {
 namespace {
 
-constexpr double kDifferent = 0.01;  // of the range of Ai: inputs that far apart have different outputs
-constexpr double kStepsApart = 4.0;  // of the output's rounding, as a fraction of its range
-constexpr double kScales = 6.0;      // of the residuals of a linear fit, referred to the input
+constexpr double kDifferent = 0.01;        // of the range of Ai: inputs that far apart have different outputs
+constexpr double kFinelyDifferent = 1e-3;  // likewise, where what noise and nonlinearity make is known
+constexpr double kStepsApart = 4.0;        // of the output's rounding, as a fraction of its range
+constexpr double kScales = 6.0;            // of the residuals of a linear fit, referred to the input
 constexpr std::size_t kLeastClipped = 2;
 constexpr std::size_t kLeastHeld = 4;   // rows of one run, or rows of runs of two and more
 constexpr double kHeldFraction = 0.02;  // of the rows, where the runs are short
@@ -35,12 +36,13 @@ OutputRange range_of(const std::vector<double>& values) {
 
 // How far apart in Ai two rows must be for one output in both to say something: farther than rounding, noise
 // and nonlinearity bring together.
-std::optional<double> telling_distance(const Dataset& record, const std::optional<PlainResponse>& plain) {
+std::optional<double> telling_distance(const Dataset& record, const std::optional<PlainResponse>& plain,
+                                       double different) {
   if (record.rows() < 8 || !record.has(Axis::input)) return std::nullopt;
   const double inputs = range_of(record.along(Axis::input)).width();
   const OutputResolution output = output_resolution(record);
   if (!(inputs > 0.0 && output.range > 0.0)) return std::nullopt;
-  const double distance = inputs * std::max(kDifferent, kStepsApart * output.step / output.range);
+  const double distance = inputs * std::max(different, kStepsApart * output.step / output.range);
   return plain ? std::max(distance, kScales * plain->scale / plain->scale_factor) : distance;
 }
 
@@ -116,8 +118,9 @@ std::optional<Finding> find_held(const Dataset& record, const std::vector<double
 std::vector<Finding> find_output_limits(const Dataset& record) {
   std::vector<Finding> findings;
   const std::optional<PlainResponse> plain = plain_response(record);
-  const auto telling = telling_distance(record, plain);
-  if (!telling) return findings;
+  const auto telling = telling_distance(record, plain, kDifferent);
+  const auto at_limit = plain ? telling_distance(record, plain, kFinelyDifferent) : telling;
+  if (!telling || !at_limit) return findings;
   const OutputRange output = range_of(record.output);
   const auto add = [&findings](std::optional<Finding> found) {
     const bool any = found.has_value();
@@ -125,8 +128,8 @@ std::vector<Finding> find_output_limits(const Dataset& record) {
     return any;
   };
   std::vector<double> limits;
-  if (add(find_clipping(record, output.greatest, "largest", *telling))) limits.push_back(output.greatest);
-  if (add(find_clipping(record, output.least, "smallest", *telling))) limits.push_back(output.least);
+  if (add(find_clipping(record, output.greatest, "largest", *at_limit))) limits.push_back(output.greatest);
+  if (add(find_clipping(record, output.least, "smallest", *at_limit))) limits.push_back(output.least);
   add(find_held(record, limits, *telling));
   if (!plain || !findings.empty()) return findings;
   if (add(find_repeated_output(record, *plain)) || add(find_saturation(record, *plain))) return findings;
