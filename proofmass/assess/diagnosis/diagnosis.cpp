@@ -14,6 +14,7 @@
 #include "proofmass/assess/diagnosis/fit/misfit.hpp"
 #include "proofmass/assess/diagnosis/fit/mount_effects.hpp"
 #include "proofmass/assess/diagnosis/fit/residual_effect.hpp"
+#include "proofmass/assess/diagnosis/fit/residual_jump.hpp"
 #include "proofmass/assess/diagnosis/fit/residual_trend.hpp"
 #include "proofmass/assess/diagnosis/fit/scale_factor.hpp"
 #include "proofmass/assess/diagnosis/fit/serial_correlation.hpp"
@@ -64,9 +65,30 @@ void add(Findings& findings, std::vector<ResidualEffect> effects) {
 // Structure along the inputs where terms should explain it, and the inputs are exact: the error of an input
 // that is uncertain is part of it, and of its row's residual.
 std::vector<FindEffect> effects_to_seek(const FittedRows& rows, const Identification& result) {
-  std::vector<FindEffect> sought{find_residual_trend, find_mount_effect};
-  if (takes_terms_as_given(result) && !rows.inputs_uncertain()) sought.push_back(find_input_structure);
+  std::vector<FindEffect> sought{find_residual_trend, find_mount_effect, find_residual_jump};
+  if (rows.inputs_uncertain()) return sought;
+  sought.push_back(find_hysteresis);
+  if (takes_terms_as_given(result)) sought.push_back(find_input_structure);
   return sought;
+}
+
+bool is_jump(const ResidualEffect& effect) {
+  const auto& figures = effect.finding.figures;
+  return !figures.empty() && figures.front().name == "course" &&
+         figures.front() != Figure("course", std::string("gradual")) &&
+         figures.front() != Figure("course", std::string("factor_gradual"));
+}
+
+// Whether the missing terms are those that a change from one row on looks like: with it taken off no terms
+// are missing, with the terms it is still there, and nothing else explains it.
+bool is_made_by_jump(const FittedRows& rows, const Identification& result, const ShortModel& missing,
+                     const std::vector<FindEffect>& sought) {
+  const auto jump = find_residual_jump(rows);
+  if (!jump || find_short_model(rows.with_columns(jump->columns), result) ||
+      !find_residual_jump(rows.with_columns(missing.columns)))
+    return false;
+  const std::vector<ResidualEffect> effects = find_effects(rows, sought);
+  return std::any_of(effects.begin(), effects.end(), is_jump);
 }
 
 // What the residuals follow, and whether there is anything. One cause shows in several
@@ -74,7 +96,8 @@ std::vector<FindEffect> effects_to_seek(const FittedRows& rows, const Identifica
 bool add_residual_findings(Findings& findings, const FittedRows& rows, const Identification& result) {
   if (!rows.has_noise()) return false;
   const std::vector<FindEffect> sought = effects_to_seek(rows, result);
-  if (auto missing = find_short_model(rows, result)) {
+  auto missing = find_short_model(rows, result);
+  if (missing && !is_made_by_jump(rows, result, *missing, sought)) {
     findings.push_back(std::move(missing->finding));
     const FittedRows left = rows.with_columns(missing->columns);
     if (left.has_noise()) add(findings, find_effects(left, sought));

@@ -178,5 +178,48 @@ TEST(DiagnosisOfClipping, SeesNarrowEnds) {
   EXPECT_EQ(clipped(head_and_centrifuge(), 0.0), NamedCodes{Code::output_saturated});
 }
 
+TEST(DiagnosisOfJumps, NamesTheRowWhereTheBiasChanges) {
+  for (const auto& [inputs, first] : {std::pair{two_planes(24), std::size_t{24}},
+                                      {two_planes(36), 30U},
+                                      {plane(24), 8U},
+                                      {head_and_centrifuge(), 48U}}) {
+    Dataset record = record_of(inputs);
+    for (std::size_t row = first; row < record.rows(); ++row) record.output[row] += 1e-3;
+    const Identification result = judged(record);
+    ASSERT_EQ(warnings(result), NamedCodes{Code::residuals_follow_order}) << first;
+    const Finding& finding = finding_of(result, Code::residuals_follow_order);
+    EXPECT_EQ(test::word(finding, "course"), "jump") << first;
+    EXPECT_EQ(test::number(finding, "first"), static_cast<double>(first + 2)) << first;
+    EXPECT_NEAR(test::number(finding, "change"), 1e-3, 5e-5) << first;
+  }
+}
+
+TEST(DiagnosisOfJumps, NamesAGainAndABlock) {
+  Dataset record = record_of(plane(24));
+  for (std::size_t row = 12; row < 24; ++row) record.output[row] *= 1.001;
+  Identification result = judged(record);
+  ASSERT_EQ(warnings(result), NamedCodes{Code::scale_factor_follows_order});
+  EXPECT_EQ(test::word(finding_of(result, Code::scale_factor_follows_order), "course"), "factor_jump");
+  record = record_of(plane(24));
+  for (std::size_t row = 12; row < 18; ++row) record.output[row] *= 1.01;
+  result = judged(record);
+  ASSERT_EQ(warnings(result), NamedCodes{Code::scale_factor_follows_order});
+  const Finding& block = finding_of(result, Code::scale_factor_follows_order);
+  EXPECT_EQ(test::word(block, "course"), "factor_stretch");
+  EXPECT_NEAR(test::number(block, "change"), 0.01, 5e-4);
+}
+
+TEST(DiagnosisOfHysteresis, GoesByTheDirectionOfApproach) {
+  Dataset record = clean_record();
+  const std::vector<double>& a = record.along(Axis::input);
+  for (std::size_t row = 1; row < record.rows(); ++row)
+    record.output[row] += a[row] > a[row - 1] ? 15.0 * kNoise : -15.0 * kNoise;
+  const Identification result = judged(record, Ols{}, paper_terms());
+  ASSERT_TRUE(has(result, Code::residuals_follow_inputs));
+  const Finding& finding = finding_of(result, Code::residuals_follow_inputs);
+  EXPECT_EQ(test::word(finding, "shape"), "direction");
+  EXPECT_NEAR(test::number(finding, "change"), 30.0 * kNoise, kNoise);
+}
+
 }  // namespace
 }  // namespace proofmass

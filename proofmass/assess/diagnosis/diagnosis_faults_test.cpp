@@ -336,6 +336,11 @@ std::vector<Fault> faults() {
        [](Dataset& r) {
          add_to_output(r, [&](std::size_t row) { return std::copysign(2e-5, r.acceleration[2][row]); });
        }},
+      {Code::residuals_follow_inputs, "hysteresis",
+       [](Dataset& r) {
+         const std::vector<double> a = r.acceleration[0];
+         add_to_output(r, [&a](std::size_t row) { return row > 0 && a[row] > a[row - 1] ? 2e-4 : 0.0; });
+       }},
       {Code::residuals_follow_inputs, "other",
        [](Dataset& r) {
          add_to_output(r, [&](std::size_t row) { return 3e-5 * std::cos(r.acceleration[0][row]); });

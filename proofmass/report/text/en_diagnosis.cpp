@@ -63,7 +63,37 @@ constexpr std::array kPhrases{
         "shape", "slope",
         "as if the response to {axis} differed by {change:.3g} {unit}/g between positive and negative "
         "{axis}"},
+    NamedPhrase{"shape", "direction",
+                "as if the output differed by {change:.3g} {unit} between rows to which {axis} has risen "
+                "and rows to which it has fallen"},
     NamedPhrase{"shape", "other", "by another amount in each part of its range"},
+    NamedPhrase{"course", "gradual",
+                "over the record they change by {change:.3g} {unit}, {errors:.3g} standard errors (noise "
+                "{scale:.3g} {unit}). If the rows are in the order of the test this is a drift, which moves "
+                "the coefficients: leave the warm-up out, or repeat a reference position and take the drift "
+                "off the output"},
+    NamedPhrase{"course", "jump",
+                "from line {first:.0f} on they lie {change:.3g} {unit} from those before, {errors:.3g} "
+                "standard errors (noise {scale:.3g} {unit}). The bias has changed there, or the mounting: "
+                "this moves the coefficients. Identify the parts of the record apart, or repeat a reference "
+                "position in each and take the difference off the output"},
+    NamedPhrase{"course", "stretch",
+                "from line {first:.0f} to line {last:.0f} they lie {change:.3g} {unit} from the others, "
+                "{errors:.3g} standard errors (noise {scale:.3g} {unit}). These rows are of another "
+                "mounting, or of another instrument, and move the coefficients. Identify them apart, or "
+                "leave them out"},
+    NamedPhrase{"course", "factor_gradual",
+                "over the record Ki changes by {change:.3g} {unit}, {errors:.3g} standard errors. If the "
+                "rows are in the order of the test the scale factor drifts: wait until the instrument is "
+                "warm, or split the record and identify the parts"},
+    NamedPhrase{"course", "factor_jump",
+                "from line {first:.0f} on Ki differs by {change:.3g} {unit} from that before, {errors:.3g} "
+                "standard errors. The gain, the range of the readout or the instrument has changed there, "
+                "and Ki is an average. Identify the parts of the record apart"},
+    NamedPhrase{"course", "factor_stretch",
+                "from line {first:.0f} to line {last:.0f} Ki differs by {change:.3g} {unit} from that of "
+                "the other rows, {errors:.3g} standard errors. The gain was another in these rows, or they "
+                "are of another instrument, and Ki is an average. Identify them apart, or leave them out"},
     NamedPhrase{"magnitudes", "all_axes", "|A| is {least:.5g} to {largest:.5g} in every row and"},
     NamedPhrase{"magnitudes", "one_axis", "the largest |Ai|, {largest:.5g} both ways,"},
     NamedPhrase{"size", "power", "2^{bits:.0f} = {turn:.0f}"},
@@ -206,10 +236,7 @@ std::string_view english_diagnosis(Code code) noexcept {
              "standard errors (noise {scale:.3g} {unit}). A drift moves the coefficients. Wait until the "
              "temperature is steady, or take its effect off the output";
     case Code::residuals_follow_order:
-      return "the residuals follow the order of the rows: over the record they change by {change:.3g} "
-             "{unit}, {errors:.3g} standard errors (noise {scale:.3g} {unit}). If the rows are in the order "
-             "of the test this is a drift, which moves the coefficients: leave the warm-up out, or repeat a "
-             "reference position and take the drift off the output";
+      return "the residuals follow the order of the rows: {course}";
     case Code::residuals_follow_mount:
       return "the residuals follow the mount, in {count:.0f} of {total:.0f} mounts: in {mount} they average "
              "{mean:.3g} {unit}, {errors:.3g} standard errors from zero. Errors of the stand (alignment, "
@@ -229,9 +256,7 @@ std::string_view english_diagnosis(Code code) noexcept {
       return "the scale factor follows T: over its range Ki changes by {change:.3g} {unit}, {errors:.3g} "
              "standard errors. Wait until the temperature is steady, or take its effect off the output";
     case Code::scale_factor_follows_order:
-      return "the scale factor follows the order of the rows: over the record Ki changes by {change:.3g} "
-             "{unit}, {errors:.3g} standard errors. If the rows are in the order of the test the scale "
-             "factor drifts: wait until the instrument is warm, or split the record and identify the parts";
+      return "the scale factor follows the order of the rows: {course}";
     case Code::scale_factor_follows_mount:
       return "the scale factor differs from mount to mount, in {count:.0f} of {total:.0f} mounts: in {mount} "
              "Ki is off by {mean:.3g} {unit}, {errors:.3g} standard errors. A wrong radius of the mount has "

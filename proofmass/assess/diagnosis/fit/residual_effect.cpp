@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kLeastColumnLeft = 1e-6;  // of a column's square: less lies within the effects before
 
+constexpr double kAsStrong = 1.0 - 1e-6;  // what two names of one effect differ by
+
 struct Found {
   FindEffect find = nullptr;
   ResidualEffect effect;
@@ -29,7 +31,7 @@ void compare(const FittedRows& rows, Found& a, Found& b) {
   const bool a_stays = stays_beside(rows, a, b);
   const bool b_stays = stays_beside(rows, b, a);
   if (a_stays && b_stays) return;
-  const bool a_first = a_stays == b_stays ? a.effect.errors > b.effect.errors : a_stays;
+  const bool a_first = a_stays == b_stays ? a.effect.errors > kAsStrong * b.effect.errors : a_stays;
   (a_first ? b : a).stays = false;
 }
 

@@ -114,7 +114,8 @@ Finding finding_of(const FittedRows& rows, const Trend& trend, bool of_output) {
   const double to_declared = 1.0 / std::abs(unit.to_canonical);
   return {.code = trend.code,
           .severity = Severity::warning,
-          .figures = {{"change", trend.change * to_declared},
+          .figures = {{"course", std::string(of_output ? "gradual" : "factor_gradual")},
+                      {"change", trend.change * to_declared},
                       {"unit", unit.symbol + (of_output ? "" : "/g")},
                       {"scale", rows.scale() * to_declared},
                       {"errors", std::abs(trend.departure.errors)}}};
