@@ -119,11 +119,12 @@ bool has(std::span<const Finding> findings, Code code) {
 // Whether what was found in the record makes its coefficients and residuals wrong: what they look like then
 // is a consequence.
 bool is_explained(std::span<const Finding> of_record) {
-  constexpr std::array kCauses{Code::inputs_in_other_unit, Code::input_far_off,    Code::inputs_are_angles,
-                               Code::rows_shifted,         Code::output_unsigned,  Code::output_copies_input,
-                               Code::output_clipped,       Code::output_saturated, Code::output_held,
-                               Code::output_stuck,         Code::output_repeated,  Code::output_wrapped,
-                               Code::output_far_off};
+  constexpr std::array kCauses{
+      Code::inputs_in_other_unit, Code::input_far_off,          Code::inputs_are_angles,
+      Code::rows_shifted,         Code::output_unsigned,        Code::output_copies_input,
+      Code::output_clipped,       Code::output_saturated,       Code::output_held,
+      Code::output_stuck,         Code::output_repeated,        Code::output_wrapped,
+      Code::output_far_off,       Code::magnitude_unlike_others};
   return std::any_of(kCauses.begin(), kCauses.end(), [&](Code code) { return has(of_record, code); });
 }
 

@@ -221,5 +221,16 @@ TEST(DiagnosisOfHysteresis, GoesByTheDirectionOfApproach) {
   EXPECT_NEAR(test::number(finding, "change"), 30.0 * kNoise, kNoise);
 }
 
+TEST(DiagnosisOfMagnitude, NamesMistypedInputsWithoutTheirConsequences) {
+  std::vector<Acceleration> inputs;
+  for (const Acceleration& a : two_planes(24)) inputs.insert(inputs.end(), 3, a);
+  Dataset record = record_of(inputs);
+  for (const std::size_t row : {10U, 61U, 100U}) record.acceleration[0][row] = -999.0;
+  EXPECT_EQ(warnings(judged(record)), NamedCodes{Code::magnitude_unlike_others});
+  record = record_of(inputs);
+  for (const std::size_t row : {10U, 61U, 100U}) record.acceleration[0][row] += 0.1;
+  EXPECT_EQ(warnings(judged(record)), NamedCodes{Code::magnitude_unlike_others});
+}
+
 }  // namespace
 }  // namespace proofmass

@@ -25,6 +25,7 @@ constexpr double kMostRows = 0.9;         // of the rows, that have one |A|
 constexpr double kMagnitudeScales = 6.0;  // of |A|, within which rows have the same
 constexpr double kMagnitudeSteps = 2.0;   // of the inputs, likewise
 constexpr double kSameMagnitude = 1e-9;   // of |A|, likewise where no step is known
+constexpr double kTightMagnitude = 0.1;   // of |A|: rows within more have not one, but many
 constexpr double kUnlikeMagnitude = 5.0;  // times as far from it
 constexpr double kLeastUnlike = 1e-5;     // of |A|
 constexpr double kOtherLevel = 2.0;  // |A| over the others': the row may be at another level of acceleration
@@ -58,6 +59,7 @@ std::optional<CommonMagnitude> common_magnitude(const Dataset& record) {
       {kMagnitudeScales * median_scale(off, 1), kMagnitudeSteps * step, kSameMagnitude * common.value});
   const auto alike = std::count_if(off.begin(), off.end(), [same](double d) { return std::abs(d) <= same; });
   if (static_cast<double>(alike) < kMostRows * static_cast<double>(off.size())) return std::nullopt;
+  if (same > kTightMagnitude * common.value) return std::nullopt;
   common.unlike = std::max(kUnlikeMagnitude * same, kLeastUnlike * common.value);
   return common;
 }
