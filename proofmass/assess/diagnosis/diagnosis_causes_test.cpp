@@ -232,5 +232,20 @@ TEST(DiagnosisOfMagnitude, NamesMistypedInputsWithoutTheirConsequences) {
   EXPECT_EQ(warnings(judged(record)), NamedCodes{Code::magnitude_unlike_others});
 }
 
+TEST(DiagnosisOfTime, NamesAMarkAndNotTheRowBelow) {
+  Dataset record = clean_record();
+  record.mount.clear();
+  record.time[4] = 99'999.0;
+  record.time[90] = 99'999.0;
+  record.time[200] = 0.0;
+  const Finding finding = finding_of(judged(record, Ols{}, paper_terms()), Code::time_backwards);
+  EXPECT_EQ(finding.lines, (NamedLines{6, 92, 202}));
+  // A clock that was set is named where it was.
+  record = clean_record();
+  record.mount.clear();
+  for (std::size_t row = 150; row < 300; ++row) record.time[row] -= 750.0;
+  EXPECT_EQ(finding_of(judged(record, Ols{}, paper_terms()), Code::time_backwards).lines, NamedLines{152});
+}
+
 }  // namespace
 }  // namespace proofmass

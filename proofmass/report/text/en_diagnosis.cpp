@@ -182,7 +182,8 @@ std::string_view english_diagnosis(Code code) noexcept {
              "are too small. Leave the {count:?repetition out: line|repetitions out: lines} {lines}";
     case Code::time_backwards:
       return "t runs backwards in {count:.0f} of {total:.0f} rows: records joined or sorted by something "
-             "else, or a clock that was set. Drift cannot be judged then: {count:?line|lines} {lines}";
+             "else, a clock that was set, or marks in place of times. Drift cannot be judged then. Correct "
+             "t, or put the rows in the order of the test: {count:?line|lines} {lines}";
     case Code::time_standing:
       return "t stands still in {count:.0f} of {total:.0f} rows: rows pasted twice, or a clock that stopped: "
              "{count:?line|lines} {lines}";
