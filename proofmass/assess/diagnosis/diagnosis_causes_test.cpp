@@ -247,5 +247,23 @@ TEST(DiagnosisOfTime, NamesAMarkAndNotTheRowBelow) {
   EXPECT_EQ(finding_of(judged(record, Ols{}, paper_terms()), Code::time_backwards).lines, NamedLines{152});
 }
 
+TEST(DiagnosisOfRepetitions, KnowsPassesInCoarseSteps) {
+  std::vector<Acceleration> inputs;
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int level = -12; level <= 12; ++level)
+      inputs.push_back({.i = 0.91 * level + 1e-3 * level * level, .o = 0.0, .p = 0.0});
+  }
+  const TermList terms{Term::K0, Term::Ki, Term::Kii};
+  for (const double step : {1e-3, 1e-2}) {
+    Dataset record = record_of(inputs);
+    const double per_g = std::nearbyint(1.0 / step);
+    for (double& e : record.output) e = std::nearbyint(e * per_g) / per_g;
+    EXPECT_FALSE(has(judged(record, Ols{}, terms), Code::rows_duplicated)) << step;
+  }
+  Dataset pasted = record_of(inputs);
+  for (std::size_t row = 25; row < 50; ++row) pasted.output[row] = pasted.output[row - 25];
+  EXPECT_TRUE(has(judged(pasted, Ols{}, terms), Code::rows_duplicated));
+}
+
 }  // namespace
 }  // namespace proofmass

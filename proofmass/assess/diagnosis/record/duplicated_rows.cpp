@@ -24,6 +24,7 @@ constexpr double kContinuous = 0.45;  // of the rows: all of them pasted twice l
 constexpr double kUnequalNoise =
     3.0;  // rows with less noise than the median's have the same output more often
 constexpr double kRoundingNoise = 0.6;  // of the step: rounding alone has 0.29
+constexpr double kLeastOfRounding = 0.1;
 constexpr double kFineOutput =
     1e-4;  // step over range: repeated rows cannot all have the same output by rounding
 
@@ -80,15 +81,35 @@ double scale_beyond_terms(const Dataset& record) {
   return median_scale(beyond_columns(basis, rows.output), basis.columns());
 }
 
+// Whether what the terms leave is rounding of the outputs: levels at equal distances have outputs on a grid
+// of their own, from which they differ by far less.
+bool is_rounded(const Dataset& record, const OutputResolution& resolution) {
+  const double scale = scale_beyond_terms(record);
+  const auto by = [scale](double step) {
+    return scale > kLeastOfRounding * step && scale < kRoundingNoise * step;
+  };
+  return by(resolution.step) || by(resolution.decimals);
+}
+
+// Whether outputs of one set-up that differ do so by the step they are written in: readings to either side of
+// where it is rounded.
+bool by_one_step(const Pairs& pairs, double step) {
+  return std::all_of(pairs.differences.begin(), pairs.differences.end(),
+                     [step](double difference) { return std::abs(difference) < 1.5 * step; });
+}
+
 // Whether rounding explains that so many of the pairs have one output.
 bool explained_by_rounding(const Pairs& pairs, const Dataset& record) {
   const OutputResolution resolution = output_resolution(record);
+  const bool planned = 2 * pairs.rows >= record.rows();
   if (pairs.differences.empty()) {
-    if (has_continuous_inputs(record) && !pairs.in_sequence) return false;
-    const bool planned = 2 * pairs.rows >= record.rows();
+    // Levels that nothing else repeats: a second pass over them, where the noise is below the output's step.
+    if (has_continuous_inputs(record) && !pairs.in_sequence) return planned && is_rounded(record, resolution);
     if (planned && resolution.step >= kFineOutput * resolution.range) return true;
     if (planned) return scale_beyond_terms(record) < kRoundingNoise * resolution.step;
   }
+  const bool one_step = planned && !pairs.differences.empty() && by_one_step(pairs, resolution.step);
+  if (one_step && is_rounded(record, resolution)) return true;
   const double sd = pairs.differences.empty() ? std::numbers::sqrt2 * scale_beyond_terms(record)
                                               : median_scale(pairs.differences, 0);
   if (!(sd > 0.0)) return true;

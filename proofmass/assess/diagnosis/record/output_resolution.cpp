@@ -35,7 +35,10 @@ OutputResolution output_resolution(const Dataset& record) {
     values.push_back(record.output[row] / record.output_unit.to_canonical);
   const auto [least, greatest] = std::minmax_element(record.output.begin(), record.output.end());
   const double factor = std::abs(record.output_unit.to_canonical);
-  return {.step = factor * std::max(decimal_step(values), grid_step(values)), .range = *greatest - *least};
+  const double decimals = decimal_step(values);
+  return {.step = factor * std::max(decimals, grid_step(values)),
+          .decimals = factor * decimals,
+          .range = *greatest - *least};
 }
 
 }  // namespace proofmass
