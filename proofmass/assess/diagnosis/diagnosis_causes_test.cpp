@@ -232,6 +232,19 @@ TEST(DiagnosisOfMagnitude, NamesMistypedInputsWithoutTheirConsequences) {
   EXPECT_EQ(warnings(judged(record)), NamedCodes{Code::magnitude_unlike_others});
 }
 
+TEST(DiagnosisOfUnits, KnowsOneAxisInAnother) {
+  Dataset record = record_of(head_and_centrifuge());
+  for (double& a : record.acceleration[1]) a *= kStandardGravity;
+  Identification result = judged(record);
+  ASSERT_EQ(warnings(result), NamedCodes{Code::inputs_in_other_unit});
+  EXPECT_EQ(test::word(finding_of(result, Code::inputs_in_other_unit), "axis"), "Ao");
+  EXPECT_EQ(test::word(finding_of(result, Code::inputs_in_other_unit), "written"), "m/s^2");
+  // In random directions no |A| is to be expected.
+  record = clean_record();
+  for (double& a : record.acceleration[1]) a *= kStandardGravity;
+  EXPECT_FALSE(has(judged(record, Ols{}, paper_terms()), Code::inputs_in_other_unit));
+}
+
 TEST(DiagnosisOfTime, NamesAMarkAndNotTheRowBelow) {
   Dataset record = clean_record();
   record.mount.clear();

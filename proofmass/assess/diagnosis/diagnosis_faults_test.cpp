@@ -267,6 +267,12 @@ std::vector<Fault> faults() {
        [](Dataset& r) {
          for (double& e : r.output) e *= e;
        }},
+      {Code::inputs_in_other_unit, "one_axis_of_a_tumble",
+       [](Dataset& r) {
+         tumble(r, 1.0);
+         for (double& a : r.acceleration[1]) a *= kStandardGravity;
+       },
+       linear_terms()},
       {Code::cross_axis_large, "six_degrees_in_volts",
        [](Dataset& r) {
          r.output_unit = find_unit("V").value();

@@ -94,8 +94,20 @@ constexpr std::array kPhrases{
                 "from line {first:.0f} to line {last:.0f} Ki differs by {change:.3g} {unit} from that of "
                 "the other rows, {errors:.3g} standard errors. The gain was another in these rows, or they "
                 "are of another instrument, and Ki is an average. Identify them apart, or leave them out"},
-    NamedPhrase{"magnitudes", "all_axes", "|A| is {least:.5g} to {largest:.5g} in every row and"},
-    NamedPhrase{"magnitudes", "one_axis", "the largest |Ai|, {largest:.5g} both ways,"},
+    NamedPhrase{
+        "magnitudes", "all_axes",
+        "|A| is {least:.5g} to {largest:.5g} in every row and was read in {read}: it looks like 1 g in "
+        "{written}. Every coefficient is then wrong by powers of the ratio. State the unit in the "
+        "header, as in Ai[{written}]"},
+    NamedPhrase{"magnitudes", "one_axis",
+                "the largest |Ai|, {largest:.5g} both ways, was read in {read}: it looks like 1 g in "
+                "{written}. Every coefficient is then wrong by powers of the ratio. State the unit in the "
+                "header, as in Ai[{written}]"},
+    NamedPhrase{"magnitudes", "one_of_axes",
+                "{axis} was read in {read}, and seems to be in {written}: |A| has {after:.0f} "
+                "{after:?value|values} over the record if it is, and {before:.0f} if it is not. Every "
+                "coefficient of {axis} is then wrong by powers of the ratio. State the unit in the header, "
+                "as in {axis}[{written}]"},
     NamedPhrase{"size", "power", "2^{bits:.0f} = {turn:.0f}"},
     NamedPhrase{"size", "other", "{turn:.7g} {unit}"},
     NamedPhrase{"within", "rows",
@@ -116,9 +128,7 @@ constexpr std::array kPhrases{
 std::string_view english_diagnosis(Code code) noexcept {
   switch (code) {
     case Code::inputs_in_other_unit:
-      return "{magnitudes} was read in {read}: it looks like 1 g in {written}. Every coefficient is then "
-             "wrong by powers of the ratio. State the unit in the "
-             "header, as in Ai[{written}]";
+      return "{magnitudes}";
     case Code::inputs_are_angles:
       return "the outputs follow the {function} of the inputs read as angles in {written}, and not the "
              "inputs: they are angles of a dividing head. The coefficients mean nothing as they are. Give "
