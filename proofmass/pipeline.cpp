@@ -130,7 +130,8 @@ TermList in_canonical_order(TermList terms) {
 void add_diagnosis(Run& run, const Dataset& record, const Method& method) {
   std::vector<Finding> found = diagnose_record(record);
   const SigmaUse sigmas{.inputs_uncertain = takes_inputs_for_uncertain(method),
-                        .input_columns = sigma_columns(method).inputs};
+                        .input_columns = sigma_columns(method).inputs,
+                        .constant = constant_input_sigma(method)};
   const std::vector<Finding> of_fit = diagnose_fit(record, found, run.split, run.identification, sigmas);
   found.insert(found.end(), of_fit.begin(), of_fit.end());
   std::vector<Finding>& findings = run.identification.findings;

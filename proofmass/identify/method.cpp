@@ -101,6 +101,18 @@ bool takes_inputs_for_uncertain(const Method& method) {
       method);
 }
 
+std::optional<double> constant_input_sigma(const Method& method) {
+  return std::visit(
+      [](const auto& own) {
+        if constexpr (requires { own.uncertainty; }) {
+          return own.uncertainty.input;
+        } else {
+          return std::optional<double>();
+        }
+      },
+      method);
+}
+
 NetworkOptions* network_options(Method& method) { return network_options_of(method); }
 const NetworkOptions* network_options(const Method& method) { return network_options_of(method); }
 

@@ -58,6 +58,9 @@ void require_valid_options(const Method& method);
 // Whether it takes the inputs for uncertain, by columns of the record or by constants.
 [[nodiscard]] bool takes_inputs_for_uncertain(const Method& method);
 
+// The standard uncertainty of every input, in g, that takes the place of the record's columns.
+[[nodiscard]] std::optional<double> constant_input_sigma(const Method& method);
+
 // The options of the method's network; null where it has none of a size that the options say.
 [[nodiscard]] NetworkOptions* network_options(Method& method);
 [[nodiscard]] const NetworkOptions* network_options(const Method& method);

@@ -146,6 +146,16 @@ Dataset without_rows(const Dataset& record, const std::vector<std::size_t>& rows
   return part;
 }
 
+// What a method goes by in place of the record's columns: which terms it hides, and what it adds to the
+// residuals, follow from it.
+Dataset with_input_sigma(Dataset record, double sigma) {
+  for (const Axis axis : record.axes()) {
+    std::vector<double>& column = record.acceleration_sigma[static_cast<std::size_t>(axis)];
+    column.assign(sigma > 0.0 ? record.rows() : 0, sigma);
+  }
+  return record;
+}
+
 }  // namespace
 
 std::vector<Finding> diagnose_record(const Dataset& record) {
@@ -178,7 +188,9 @@ std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding
                                   const Split& split, const Identification& result, const SigmaUse& sigmas) {
   Findings findings;
   add(findings, find_few_degrees_of_freedom(result));
-  FittedRows rows(record, split.training, result, sigmas.inputs_uncertain);
+  const Dataset with_constant = sigmas.constant ? with_input_sigma(record, *sigmas.constant) : Dataset();
+  const Dataset& rows_source = sigmas.constant ? with_constant : record;
+  FittedRows rows(rows_source, split.training, result, sigmas.inputs_uncertain);
   if (has(of_record, Code::temperature_implausible)) rows.leave_out_temperature();
   // Where rows weigh by a wrong sigma_E, the residuals of the others follow from it.
   const bool wrong_weights = has(of_record, Code::sigma_output_far_off) && !rows.weights().empty();
@@ -188,7 +200,7 @@ std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding
     explained = has(findings, Code::square_larger) || add_residual_findings(findings, rows, result);
   }
   if (!has(of_record, Code::sigma_output_far_off))
-    add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns, explained));
+    add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns || sigmas.constant, explained));
   add(findings, find_unlike_rows(rows, record, split, result));
   return findings;
 }

@@ -2,6 +2,7 @@
 // Faults of a record and of a fit to it (docs/diagnosis.md). Clean records give no warning.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace proofmass {
 
 // What a method does with uncertainties of the inputs.
 struct SigmaUse {
-  bool inputs_uncertain = false;  // takes the inputs for uncertain at all
-  bool input_columns = false;     // goes by the record's columns of them
+  bool inputs_uncertain = false;     // takes the inputs for uncertain at all
+  bool input_columns = false;        // goes by the record's columns of them
+  std::optional<double> constant{};  // g; of every input, in place of the columns
 };
 
 // Of the record alone: units, limits of the output, its counts, repeated rows, time.

@@ -278,5 +278,33 @@ TEST(DiagnosisOfRepetitions, KnowsPassesInCoarseSteps) {
   EXPECT_TRUE(has(judged(pasted, Ols{}, terms), Code::rows_duplicated));
 }
 
+// Positions whose inputs have errors of 1 mg, of which the record says nothing.
+Dataset with_input_errors(std::uint64_t seed) {
+  std::vector<Acceleration> inputs;
+  for (const Acceleration& a : two_planes(24)) inputs.insert(inputs.end(), 2, a);
+  Dataset record = record_of(inputs, seed);
+  RandomStream random(seed, stream_id("input errors"));
+  for (std::vector<double>& axis : record.acceleration) {
+    for (double& a : axis) a += 1e-3 * random.normal();
+  }
+  return record;
+}
+
+TEST(DiagnosisOfConstants, GoesByTheUncertaintyOfTheOptions) {
+  const Method eiv = Eiv{.uncertainty = {.input = 1e-3}};
+  for (const std::uint64_t seed : {3U, 4U, 5U, 6U, 7U, 8U}) {
+    Dataset record = with_input_errors(seed);
+    record.output_sigma.assign(record.rows(), kNoise);
+    EXPECT_EQ(warnings(judged(record, eiv)), NamedCodes()) << seed;
+    // The output's noise differs between rows, and that of the inputs hides it.
+    RandomStream random(seed, stream_id("uneven"));
+    for (std::size_t row = 0; row < record.rows(); row += 2) {
+      record.output_sigma[row] = 1e-3;
+      record.output[row] += 1e-3 * random.normal();
+    }
+    EXPECT_EQ(warnings(judged(record, eiv)), NamedCodes()) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace proofmass
