@@ -116,6 +116,17 @@ bool has(std::span<const Finding> findings, Code code) {
   return std::any_of(findings.begin(), findings.end(), [code](const Finding& f) { return f.code == code; });
 }
 
+// Of the rows those whose lines are not among these.
+std::vector<std::size_t> rows_beside(const Dataset& record, std::span<const std::size_t> rows,
+                                     std::vector<std::size_t> lines) {
+  std::sort(lines.begin(), lines.end());
+  std::vector<std::size_t> others;
+  for (const std::size_t row : rows) {
+    if (!std::binary_search(lines.begin(), lines.end(), record.line_of(row))) others.push_back(row);
+  }
+  return others;
+}
+
 // Whether what was found in the record makes its coefficients and residuals wrong: what they look like then
 // is a consequence.
 bool is_explained(std::span<const Finding> of_record) {
@@ -199,8 +210,17 @@ std::vector<Finding> diagnose_fit(const Dataset& record, std::span<const Finding
     add(findings, find_implausible_scale_factor(rows, result));
     explained = has(findings, Code::square_larger) || add_residual_findings(findings, rows, result);
   }
+  // Of rows far off the others can be judged.
+  const auto far = std::find_if(findings.begin(), findings.end(),
+                                [](const Finding& f) { return f.code == Code::rows_far_off; });
+  std::optional<Finding> uneven;
+  if (far != findings.end() && !has(of_record, Code::sigma_output_far_off)) {
+    const std::vector<std::size_t> others = rows_beside(record, split.training, far->lines);
+    uneven = find_uneven_sigma(FittedRows(rows_source, others, result, sigmas.inputs_uncertain), result);
+  }
   if (!has(of_record, Code::sigma_output_far_off))
     add(findings, find_wrong_sigmas(rows, result, sigmas.input_columns || sigmas.constant, explained));
+  add(findings, std::move(uneven));
   add(findings, find_unlike_rows(rows, record, split, result));
   return findings;
 }

@@ -306,5 +306,27 @@ TEST(DiagnosisOfConstants, GoesByTheUncertaintyOfTheOptions) {
   }
 }
 
+TEST(DiagnosisOfFarRows, SaysByWhatARowWasTested) {
+  Dataset record = clean_record();
+  for (std::size_t row = 0; row < record.rows(); row += 2) {
+    record.output_sigma[row] = 100.0 * kNoise;
+    record.output[row] += 100.0 * kNoise * std::sin(static_cast<double>(row * row));
+  }
+  record.output[7] += 40.0 * kNoise;
+  const Finding finding = finding_of(judged(record, Wls{}, paper_terms()), Code::rows_far_off);
+  EXPECT_EQ(finding.lines, NamedLines{9});
+  EXPECT_NEAR(test::number(finding, "residual"), 40.0 * kNoise, 10.0 * kNoise);
+  EXPECT_LT(test::number(finding, "scale"), 3.0 * kNoise);
+}
+
+TEST(DiagnosisOfSigmas, SeesUnevenOnesBesideAFarRow) {
+  Dataset record = clean_record();
+  for (std::size_t row = 0; row < record.rows(); row += 3) record.output_sigma[row] *= 30.0;
+  record.output[7] += 1000.0 * kNoise;
+  const Identification result = judged(record, Ols{}, paper_terms());
+  EXPECT_TRUE(has(result, Code::rows_far_off));
+  EXPECT_TRUE(has(result, Code::sigma_output_uneven));
+}
+
 }  // namespace
 }  // namespace proofmass

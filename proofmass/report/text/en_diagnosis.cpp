@@ -234,7 +234,7 @@ std::string_view english_diagnosis(Code code) noexcept {
              "what is not identifiable";
     case Code::rows_far_off:
       return "{count:.0f} {count:?row lies|rows lie} too far from the fit to be noise (line {line:.0f} by "
-             "{residual:.3g} {unit}; the scale of the residuals is {scale:.3g} {unit}), and "
+             "{residual:.3g} {unit}; the scale of residuals there is {scale:.3g} {unit}), and "
              "{count:?moves|move} the "
              "coefficients. Correct or leave out what is wrong, or use the method robust: "
              "{count:?line|lines} {lines}";

@@ -173,9 +173,17 @@ std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identificat
   const bool known = !rows.inputs_uncertain() || !from_inputs.empty();
   if (has_sigma && known) add(wrong_sigma(rows, result, scaled));
   if (!input_columns_used) add(find_unused_input_sigma(rows, result, from_inputs));
-  if (has_sigma && !explained && rows.has_noise() && !is_robust(result))
-    add(uneven_sigma(record.output_sigma, scaled, rows.basis().columns(), record.output_unit));
+  if (!explained) add(find_uneven_sigma(rows, result));
   return findings;
+}
+
+std::optional<Finding> find_uneven_sigma(const FittedRows& rows, const Identification& result) {
+  const Dataset& record = rows.record();
+  const std::vector<double> sigma =
+      standard_uncertainties(record, variance_from_inputs(record, result.static_model()));
+  if (sigma.empty() || rows.dof() == 0 || !rows.has_noise() || is_robust(result)) return std::nullopt;
+  return uneven_sigma(record.output_sigma, scaled_residuals(rows, sigma, result), rows.basis().columns(),
+                      record.output_unit);
 }
 
 }  // namespace proofmass

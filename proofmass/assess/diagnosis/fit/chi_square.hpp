@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "proofmass/assess/diagnosis/fit/fitted_rows.hpp"
@@ -15,5 +16,8 @@ namespace proofmass {
 // different multiples of it.
 [[nodiscard]] std::vector<Finding> find_wrong_sigmas(const FittedRows& rows, const Identification& result,
                                                      bool input_columns_used, bool explained);
+
+// That alone, of rows that nothing is suspected of: as if these had been fitted.
+[[nodiscard]] std::optional<Finding> find_uneven_sigma(const FittedRows& rows, const Identification& result);
 
 }  // namespace proofmass

@@ -168,12 +168,19 @@ std::vector<std::size_t> far_rows_of(const FittedRows& rows, const RowNoise& noi
   return far;
 }
 
-Finding finding_of(const FittedRows& rows, const std::vector<std::size_t>& far,
+// Where rows differ in their noise, the scale is that of the farthest row: what it is tested by.
+double scale_of(const FittedRows& rows, const RowNoise& noise, const AlikeResiduals& robust,
+                std::size_t row) {
+  const bool one_variance = rows.weights().empty() && rows.record().output_sigma.empty();
+  return one_variance ? std::min(robust.scale, rows.scale()) : robust.scale * std::sqrt(noise.left[row]);
+}
+
+Finding finding_of(const FittedRows& rows, const RowNoise& noise, const std::vector<std::size_t>& far,
                    const AlikeResiduals& robust) {
   const std::size_t farthest = *std::max_element(far.begin(), far.end(), [&](std::size_t a, std::size_t b) {
     return std::abs(robust.values[a]) < std::abs(robust.values[b]);
   });
-  const double scale = rows.weights().empty() ? std::min(robust.scale, rows.scale()) : rows.scale();
+  const double scale = scale_of(rows, noise, robust, farthest);
   const Unit& unit = rows.record().output_unit;
   return {.code = Code::rows_far_off,
           .severity = Severity::warning,
@@ -203,11 +210,11 @@ std::optional<Finding> find_far_rows(const FittedRows& rows, const Identificatio
   const AlikeResiduals own = alike_residuals(rows, noise, {rows.residuals().begin(), rows.residuals().end()});
   const AlikeResiduals trimmed = without_outliers(rows, noise, own);
   const std::vector<std::size_t> far = far_rows_of(rows, noise, own, trimmed);
-  if (!far.empty()) return finding_of(rows, far, trimmed);
+  if (!far.empty()) return finding_of(rows, noise, far, trimmed);
   const auto robust = masked_too ? without_masking(rows, noise, own) : std::nullopt;
   if (!robust) return std::nullopt;
   const std::vector<std::size_t> masked = far_rows_of(rows, noise, *robust, *robust);
-  return masked.empty() ? std::nullopt : std::optional(finding_of(rows, masked, *robust));
+  return masked.empty() ? std::nullopt : std::optional(finding_of(rows, noise, masked, *robust));
 }
 
 }  // namespace proofmass
