@@ -306,6 +306,21 @@ TEST(DiagnosisOfConstants, GoesByTheUncertaintyOfTheOptions) {
   }
 }
 
+TEST(DiagnosisOfFarRows, SeesTwoInFive) {
+  for (const std::vector<Acceleration>& inputs : {plane(24), two_planes(24), two_planes(36)}) {
+    Dataset record = record_of(inputs);
+    std::size_t other = 0;
+    for (std::size_t row = 0; row < record.rows(); ++row) {
+      if (row * 7 % 10 >= 4) continue;
+      record.output[row] *= 1.01;
+      ++other;
+    }
+    const Identification result = judged(record);
+    ASSERT_EQ(warnings(result), NamedCodes{Code::rows_far_off}) << inputs.size();
+    EXPECT_GT(2 * finding_of(result, Code::rows_far_off).lines.size(), other) << inputs.size();
+  }
+}
+
 TEST(DiagnosisOfFarRows, SaysByWhatARowWasTested) {
   Dataset record = clean_record();
   for (std::size_t row = 0; row < record.rows(); row += 2) {

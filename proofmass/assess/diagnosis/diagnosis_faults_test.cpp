@@ -353,6 +353,8 @@ std::vector<Fault> faults() {
        }},
       {Code::rows_far_off, "many",
        [](Dataset& r) { scale_output(r, [](std::size_t row) { return row * 7 % 10 < 3 ? 1e-2 : 0.0; }); }},
+      {Code::rows_far_off, "two_fifths",
+       [](Dataset& r) { scale_output(r, [](std::size_t row) { return row * 7 % 10 < 4 ? 1e-2 : 0.0; }); }},
       {Code::residuals_correlated, "wanders", wander},
       {Code::sigma_output_too_small, "by_0_7",
        [](Dataset& r) {
