@@ -41,7 +41,7 @@ class SvgCanvas {
 
 // The frame of a chart: where its data are, in units of the image.
 struct SvgFrame {
-  double left = 78.0, right = 628.0, top = 50.0, bottom = 348.0;
+  double left = 78.0, right = 616.0, top = 50.0, bottom = 348.0;
 };
 inline constexpr double kSvgWidth = 640.0, kSvgHeight = 400.0;
 // Grid, ticks, labels and title.

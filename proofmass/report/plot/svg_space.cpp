@@ -12,8 +12,8 @@
 namespace proofmass {
 namespace {
 
-constexpr double kCentreX = 320.0, kCentreY = 205.0,
-                 kReach = 150.0;  // of the largest coordinate, in the image
+constexpr double kCentreX = 320.0, kCentreY = 220.0,
+                 kReach = 140.0;  // of the largest coordinate, in the image
 
 // Seen from a corner above, without perspective: as far along one axis as along another.
 struct View {
