@@ -22,6 +22,7 @@
 #include "proofmass/core/nearest.hpp"
 #include "proofmass/core/version.hpp"
 #include "proofmass/report/text/en.hpp"
+#include "proofmass/report/text/endings.hpp"
 #include "verbs/verbs.hpp"
 
 namespace proofmass::cli {
@@ -73,6 +74,7 @@ std::string for_the_shell(const std::string& word) {
 std::string explained(const Error& error) {
   std::string text = error.what();
   for (const Finding& finding : error.findings()) text += "\n  " + english(finding);
+  if (!error.ending().empty()) text += "\n  ended: " + sentence(error.ending(), Language::en);
   std::string flags;
   for (const Remedy& remedy : error.remedies()) {
     const std::string value = !remedy.value.empty()      ? remedy.value

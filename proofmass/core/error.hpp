@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "proofmass/core/ending.hpp"
 #include "proofmass/core/finding.hpp"
 
 namespace proofmass {
@@ -43,11 +44,18 @@ class Error : public std::runtime_error {
   [[nodiscard]] const std::vector<Remedy>& remedies() const noexcept { return remedies_; }
   // What led to it, such as why each term is not identified; their sentences are in report/text.
   [[nodiscard]] const std::vector<Finding>& findings() const noexcept { return findings_; }
+  // How the computation ended that is refused, if it was begun; its words are in report/text.
+  [[nodiscard]] const std::vector<EndingPart>& ending() const noexcept { return ending_; }
+  [[nodiscard]] Error with_ending(std::vector<EndingPart> ending) && {
+    ending_ = std::move(ending);
+    return std::move(*this);
+  }
 
  private:
   ErrorKind kind_;
   std::vector<Remedy> remedies_;
   std::vector<Finding> findings_;
+  std::vector<EndingPart> ending_;
 };
 
 // The place of a fault in a file. Row 0 means the whole file. Rows count lines from 1 as an editor does,

@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
-#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/network/hybrid_network.hpp"
@@ -41,9 +39,9 @@ bool is_rounding(double rss, const Dataset& training) {
 struct Search {
   std::optional<HybridFit> best;
   std::vector<double> criterion;
-  std::vector<Cause> training;  // why the training of each network ended, from one unit
-  std::size_t chosen = 0;       // units by the criterion
-  bool falls_at_limit = false;  // the most units allowed have the least criterion
+  std::vector<EndingStatus> training;  // how that of each network ended, from one unit
+  std::size_t chosen = 0;              // units by the criterion
+  bool falls_at_limit = false;         // the most units allowed have the least criterion
   HybridValidation validation;
   std::size_t epochs = 0;
   std::size_t evaluations = 0;  // of the swarms' fitness
@@ -64,7 +62,7 @@ Search search(const Hybrid& method, const Dataset& training, const TermList& ter
     found.epochs += fit.epochs;
     found.evaluations += fit.evaluations;
     found.criterion.push_back(information_criterion(fit.rss, fit.parameters, training.rows()));
-    found.training.push_back(fit.training.cause);
+    found.training.push_back(fit.training);
     if (found.criterion.back() < least) {
       least = found.criterion.back();
       found.best = std::move(fit);
@@ -89,45 +87,45 @@ void cross_validate(Search& found, const Hybrid& method, const Dataset& training
   if (!found.validation.favours_network()) found.best.reset();
 }
 
-std::string describe(const HybridValidation& validation, bool kept) {
-  if (validation.rows == 0) return "; the network is dropped: too few rows for a cross-validation";
-  return fmt::format(
-      "; cross-validation {} the network: rms error at rows left out {:.5g} times that without",
-      kept ? "keeps" : "drops", validation.rmse_with / validation.rmse_without);
+EndingPart account_of(const HybridValidation& validation, bool kept) {
+  if (validation.rows == 0) return {.code = EndingCode::network_not_judged};
+  return {.code = kept ? EndingCode::network_kept : EndingCode::network_dropped,
+          .figures = {{"ratio", validation.rmse_with / validation.rmse_without}}};
 }
 
 // "1, 2": the units of the networks whose training used all epochs.
-std::string unfinished_sizes(const std::vector<Cause>& training) {
+std::string unfinished_sizes(const std::vector<EndingStatus>& training) {
   std::string sizes;
   for (std::size_t k = 0; k < training.size(); ++k) {
-    if (training[k] != Cause::iteration_limit) continue;
+    if (training[k] != EndingStatus::iteration_limit) continue;
     sizes += fmt::format("{}{}", sizes.empty() ? "" : ", ", k + 1);
   }
   return sizes;
 }
 
-std::string describe(const Search& found, const Hybrid& method) {
-  std::string tried;
+std::vector<EndingPart> account_of(const Search& found, const Hybrid& method) {
+  EndingPart compared{
+      .code = found.falls_at_limit ? EndingCode::sizes_compared_to_limit : EndingCode::sizes_compared,
+      .figures = {{"chosen", found.chosen}}};
   for (std::size_t h = 0; h < found.criterion.size(); ++h) {
-    tried += fmt::format("{}{} {:.1f}", h == 0 ? "" : ", ", amount_text(h, "unit"),
-                         found.criterion[h] - found.criterion.front());
+    compared.parts.push_back(
+        {.code = EndingCode::size_compared,
+         .figures = {{"units", h}, {"difference", found.criterion[h] - found.criterion.front()}}});
   }
-  std::string text =
-      fmt::format("the Bayesian information criterion, less that without a network: {}; it is least with {}",
-                  tried, amount_text(found.chosen, "hidden unit"));
-  if (found.falls_at_limit) text += ", the most allowed, and more might lower it further";
-  if (found.chosen > 0) text += describe(found.validation, found.best.has_value());
-  if (const std::string sizes = unfinished_sizes(found.training); !sizes.empty()) {
-    text += fmt::format("; training used all of its {} with {} hidden unit{}",
-                        amount_text(method.epochs, "epoch"), sizes, sizes == "1" ? "" : "s");
+  std::vector<EndingPart> parts{std::move(compared)};
+  if (found.chosen > 0) parts.push_back(account_of(found.validation, found.best.has_value()));
+  if (std::string sizes = unfinished_sizes(found.training); !sizes.empty()) {
+    const double units = sizes == "1" ? 1.0 : 2.0;  // of which the words depend
+    parts.push_back({.code = EndingCode::sizes_unfinished,
+                     .figures = {{"epochs", method.epochs}, {"sizes", std::move(sizes)}, {"units", units}}});
   }
-  return text;
+  return parts;
 }
 
 // A search that found nothing better than no hidden unit has converged.
-Cause cause_of_end(const Search& found) {
-  if (found.falls_at_limit) return Cause::iteration_limit;
-  return found.chosen > 0 ? found.training[found.chosen - 1] : Cause::converged;
+EndingStatus status_of_end(const Search& found) {
+  if (found.falls_at_limit) return EndingStatus::iteration_limit;
+  return found.chosen > 0 ? found.training[found.chosen - 1] : EndingStatus::converged;
 }
 
 void add_network(Identification& result, Search& found, const Dataset& training) {
@@ -171,7 +169,7 @@ Identification fit(const Hybrid& method, const Dataset& unordered, const Identif
   result.details = std::move(details);
   const std::size_t iterations = found.epochs + found.evaluations;
   if (iterations > 0) result.diagnostics.iterations = iterations;
-  result.ending = ending_of(cause_of_end(found), describe(found, method));
+  result.ending = {.status = status_of_end(found), .parts = account_of(found, method)};
   result.history.push_back({"information_criterion", found.criterion});
   result.findings.push_back({.code = Code::hidden_choice_ignored});
   if (found.best) add_network(result, found, training);

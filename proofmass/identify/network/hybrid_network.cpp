@@ -90,7 +90,7 @@ HybridFit assemble(const HybridProblem& problem, const Refinement& refinement) {
   fit.parameters = problem.shape.parameters() + problem.terms.size();
   fit.curve = refinement.best.training_curve;
   fit.epochs = refinement.epochs;
-  fit.training = training_end(refinement.best);
+  fit.training = training_end(refinement.best).status;
   return fit;
 }
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "proofmass/core/dataset.hpp"
+#include "proofmass/core/ending.hpp"
 #include "proofmass/core/identification.hpp"
 #include "proofmass/core/progress.hpp"
 #include "proofmass/identify/network/hybrid.hpp"
-#include "proofmass/numeric/optimise/termination.hpp"
 
 namespace proofmass {
 
@@ -22,7 +22,8 @@ struct HybridFit {
   std::size_t evaluations = 0;  // of the swarm's fitness
   std::vector<double> curve;    // training rmse of the candidate kept, scaled output
   std::vector<double> swarm;    // best fitness of the swarm, likewise
-  Termination training;         // of the candidate kept
+  // How the training of the candidate kept ended.
+  EndingStatus training = EndingStatus::iteration_limit;
 };
 
 // The best fit with `hidden` >= 1 tanh units beside the terms (K0 among them, played by the network's bias).

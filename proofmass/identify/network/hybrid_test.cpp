@@ -14,6 +14,7 @@
 #include "proofmass/pipeline.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
+#include "support/endings.hpp"
 
 namespace proofmass {
 namespace {
@@ -46,7 +47,7 @@ TEST(Hybrid, IsLeastSquaresWhereTheModelIsRight) {
     const Dataset record = twin("twin-10ug.toml", seed);
     const Identification hybrid = fit(Hybrid{}, record, full_model(seed), progress);
     const Identification ols = fit(Ols{}, record, full_model(seed), progress);
-    EXPECT_FALSE(hybrid.network.has_value()) << "seed " << seed << ": " << hybrid.ending.reason;
+    EXPECT_FALSE(hybrid.network.has_value()) << "seed " << seed << ": " << test::said(hybrid.ending);
     for (std::size_t k = 0; k < ols.coefficients.size(); ++k) {
       EXPECT_NEAR(hybrid.coefficients[k].value, ols.coefficients[k].value,
                   1e-6 * *ols.coefficients[k].standard_error);
@@ -77,8 +78,8 @@ TEST(Hybrid, DoesNotFollowOutliers) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const Identification hybrid =
         identify(twin("twin-heavy-tails.toml", seed), Hybrid{}, full_model(seed)).identification;
-    EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
-    if (hybrid.ending.reason.find("cross-validation drops the network") != std::string::npos) ++dropped;
+    EXPECT_FALSE(hybrid.network.has_value()) << test::said(hybrid.ending);
+    if (test::said(hybrid.ending).find("cross-validation drops the network") != std::string::npos) ++dropped;
   }
   EXPECT_GT(dropped, 0U);
 }
@@ -94,27 +95,27 @@ TEST(Hybrid, DoesNotTakeErrorsOfRepeatedSetUpsForStructure) {
   RandomStream random(1);
   for (double& output : record.output) output += 1e-7 * random.normal();
   const Identification hybrid = fit(Hybrid{}, record, {.terms = parse_terms("paper")}, progress);
-  EXPECT_FALSE(hybrid.network.has_value()) << hybrid.ending.reason;
+  EXPECT_FALSE(hybrid.network.has_value()) << test::said(hybrid.ending);
 }
 
 TEST(Hybrid, SaysWhatEndedTheSearch) {
   SilentProgress progress;
   const Dataset record = twin("twin-unmodelled.toml", 1);
   const Ending found = fit(Hybrid{}, record, full_model(1), progress).ending;
-  EXPECT_EQ(found.status, EndingStatus::converged) << found.reason;
-  EXPECT_EQ(found.reason.find("the most allowed"), std::string::npos) << found.reason;
+  EXPECT_EQ(found.status, EndingStatus::converged) << test::said(found);
+  EXPECT_EQ(test::said(found).find("the most allowed"), std::string::npos) << test::said(found);
   const Ending cut = fit(Hybrid{.most_hidden = 1}, record, full_model(1), progress).ending;
   EXPECT_EQ(cut.status, EndingStatus::iteration_limit);
   EXPECT_TRUE(
-      cut.reason.starts_with("the Bayesian information criterion, less that without a network: "
-                             "0 units 0.0, 1 unit -"))
-      << cut.reason;
-  EXPECT_NE(cut.reason.find("it is least with 1 hidden unit, the most allowed"), std::string::npos)
-      << cut.reason;
+      test::said(cut).starts_with("the Bayesian information criterion, less that without a network: "
+                                  "0 units 0.0, 1 unit -"))
+      << test::said(cut);
+  EXPECT_NE(test::said(cut).find("it is least with 1 hidden unit, the most allowed"), std::string::npos)
+      << test::said(cut);
   const Ending short_training = fit(Hybrid{.epochs = 2}, record, full_model(1), progress).ending;
-  EXPECT_EQ(short_training.status, EndingStatus::iteration_limit) << short_training.reason;
-  EXPECT_NE(short_training.reason.find("training used all of its 2 epochs with"), std::string::npos)
-      << short_training.reason;
+  EXPECT_EQ(short_training.status, EndingStatus::iteration_limit) << test::said(short_training);
+  EXPECT_NE(test::said(short_training).find("training used all of its 2 epochs with"), std::string::npos)
+      << test::said(short_training);
 }
 
 // The rows decide against a network that its epochs may not have brought to the end: the ending says so.
@@ -122,11 +123,12 @@ TEST(Hybrid, SaysThatTheTrainingOfARejectedNetworkWasCut) {
   SilentProgress progress;
   const Dataset record = twin("twin-10ug.toml", 1);
   const Ending cut = fit(Hybrid{.epochs = 1}, record, full_model(1), progress).ending;
-  EXPECT_EQ(cut.status, EndingStatus::converged) << cut.reason;
-  EXPECT_NE(cut.reason.find("it is least with 0 hidden units; training used all of its 1 epoch with 1, 2 "
-                            "hidden units"),
-            std::string::npos)
-      << cut.reason;
+  EXPECT_EQ(cut.status, EndingStatus::converged) << test::said(cut);
+  EXPECT_NE(
+      test::said(cut).find("it is least with 0 hidden units; training used all of its 1 epoch with 1, 2 "
+                           "hidden units"),
+      std::string::npos)
+      << test::said(cut);
 }
 
 TEST(Hybrid, NeedsTheBias) {

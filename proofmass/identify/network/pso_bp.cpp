@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/network/result.hpp"
 #include "proofmass/identify/network/scaling.hpp"
 #include "proofmass/identify/network/swarm_fitness.hpp"
@@ -100,8 +101,8 @@ void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
   std::get<NetworkDetails>(result.details).swarm_evaluations = swarm.evaluations;
   result.history.push_back({"swarm_best", scaled(swarm.history)});
   result.history.push_back({"swarm_mean", scaled(swarm.mean_history)});
-  result.ending.reason =
-      fmt::format("swarm: {}; training: {}", swarm.termination.reason, result.ending.reason);
+  result.ending.parts = {{.code = EndingCode::particle_swarm, .parts = ending_parts(swarm.termination)},
+                         {.code = EndingCode::training, .parts = std::move(result.ending.parts)}};
 }
 
 }  // namespace

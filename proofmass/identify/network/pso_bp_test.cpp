@@ -13,6 +13,7 @@
 #include "proofmass/identify/network/result.hpp"
 #include "proofmass/identify/network/training/starts.hpp"
 #include "proofmass/identify/regression/ols.hpp"
+#include "support/endings.hpp"
 #include "support/networks.hpp"
 #include "support/twin.hpp"
 
@@ -55,7 +56,7 @@ TEST(PsoBp, TellsHowTheSwarmConverged) {
   for (std::size_t k = 0; k < best.size(); ++k) EXPECT_LE(best[k], mean[k]);
   // In the unit of the training curve, which starts at a particle.
   EXPECT_GE(curve(result, "training_rmse").front(), best.back() * (1.0 - 1e-6));
-  EXPECT_THAT(result.ending.reason, HasSubstr("swarm: all 5 iterations spent"));
+  EXPECT_THAT(test::said(result.ending), HasSubstr("swarm: all 5 iterations spent"));
 }
 
 TEST(PsoBp, TrainsTheParticleThatItIsGiven) {
@@ -105,11 +106,11 @@ TEST(PsoBp, RefinesOneNetworkOnlyOnce) {
   std::swap(exchanged[9], exchanged[10]);
   std::swap(exchanged[12], exchanged[13]);
   method.initial = {one, turned, exchanged};
-  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 1 candidate)"));
+  EXPECT_THAT(test::said(fitted(test::make_twin(), method).ending), HasSubstr("of 1 candidate)"));
   method.initial.pop_back();  // the third particle is then another network
-  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 2 candidates"));
+  EXPECT_THAT(test::said(fitted(test::make_twin(), method).ending), HasSubstr("of 2 candidates"));
   method.refined = 1;
-  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("of 1 candidate)"));
+  EXPECT_THAT(test::said(fitted(test::make_twin(), method).ending), HasSubstr("of 1 candidate)"));
 }
 
 TEST(PsoBp, CountsTheEpochsOfTheFitness) {
@@ -129,14 +130,14 @@ TEST(PsoBp, CountsTheEpochsOfTheFitness) {
 TEST(PsoBp, EndsAtTheTargetAndOnAStall) {
   PsoBp method = small();
   method.target = 1e9;
-  EXPECT_THAT(fitted(test::make_twin(), method).ending.reason, HasSubstr("below the target"));
+  EXPECT_THAT(test::said(fitted(test::make_twin(), method).ending), HasSubstr("below the target"));
   method.target.reset();
   method.iterations = 50;
   method.stall_iterations = 2;
   method.inertia = method.cognitive = method.social = 0.0;  // nothing moves
   const Identification result = fitted(test::make_twin(), method);
   EXPECT_EQ(curve(result, "swarm_best").size(), 3U);
-  EXPECT_THAT(result.ending.reason, HasSubstr("no better value in 2 iterations"));
+  EXPECT_THAT(test::said(result.ending), HasSubstr("no better value in 2 iterations"));
 }
 
 // The defaults on a record whose noise the network can reach: within five per cent of least squares with all

@@ -108,17 +108,18 @@ void add_coefficients(Identification& result, const NetworkTask& task, Extractio
 }
 
 Ending ending_of_training(const TrainingState& best, std::size_t candidates) {
-  const std::string effort = fmt::format("{} of the best of {}", amount_text(best.epochs, "epoch"),
-                                         amount_text(candidates, "candidate"));
-  const Termination end = training_end(best);
-  return ending_of(end.cause, fmt::format("{} ({})", end.reason, effort));
+  Ending end = training_end(best);
+  EndingPart effort{.code = EndingCode::best_candidate,
+                    .figures = {{"epochs", best.epochs}, {"candidates", candidates}},
+                    .parts = std::move(end.parts)};
+  return {.status = end.status, .parts = {std::move(effort)}};
 }
 
 // Refuses what is no fit: errors beyond all measure, or a network as it started that explains nothing.
 void require_fit(std::string_view method, const NetworkTask& task, const TrainingState& best) {
-  const std::string& reason = best.termination.reason;
   if (!std::isfinite(best.training_rmse)) {
-    throw refusal(fmt::format("{} found no network with a finite error: {}", method, reason));
+    throw refusal(fmt::format("{} found no network with a finite error", method))
+        .with_ending(ending_parts(best.termination));
   }
   const std::vector<double>& output = task.training.output;
   const auto rows = static_cast<double>(output.size());
@@ -128,10 +129,10 @@ void require_fit(std::string_view method, const NetworkTask& task, const Trainin
   const double rmse = best.training_rmse * output_half_range(task.network);
   const double r2 = 1.0 - rmse * rmse / variance;
   if (best.epochs > 0 || r2 > 0.0) return;
-  throw refusal(
-      fmt::format("{} could not be trained: {} in the first epoch, and the network as it started explains "
-                  "nothing of the output (R² {:.3g} on the training rows)",
-                  method, reason, r2));
+  throw refusal(fmt::format("{} could not be trained: training ended in the first epoch, and the network "
+                            "as it started explains nothing of the output (R² {:.3g} on the training rows)",
+                            method, r2))
+      .with_ending(ending_parts(best.termination));
 }
 
 // Of the scaled output, over the rows and over the degrees of freedom.

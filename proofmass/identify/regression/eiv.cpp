@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/regression/eiv.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
@@ -84,11 +81,11 @@ OrthogonalDistanceFit solve(const Dataset& training, const TermList& terms,
   }
   if (fit.termination.cause == Cause::converged) return fit;
   throw refusal(
-      fmt::format("eiv did not converge: {}; the uncertainties given may be too large for these data, or "
-                  "the iterations too few",
-                  fit.termination.reason),
+      "eiv did not converge: the uncertainties given may be too large for these data, or the iterations too "
+      "few",
       fit.termination.cause == Cause::iteration_limit ? std::vector<Remedy>{{"eiv-iterations", ""}}
-                                                      : std::vector<Remedy>{});
+                                                      : std::vector<Remedy>{})
+      .with_ending(ending_parts(fit.termination));
 }
 
 // Of the output at the accelerations as recorded: what prediction will leave.
@@ -135,9 +132,10 @@ Identification fit(const Eiv& method, const Dataset& training, const IdentifyOpt
   result.findings.push_back(explain_standard_errors(method.uncertainty.scaling, ratio));
   result.findings.push_back({.code = Code::independent_errors_assumed});
   result.history.push_back({"weighted_sum_of_squares", std::move(fit.history)});
-  result.ending =
-      ending_of(fit.termination.cause,
-                fmt::format("after {} {}", amount_text(fit.iterations, "iteration"), fit.termination.reason));
+  result.ending = {.status = ending_status(fit.termination.cause),
+                   .parts = {{.code = EndingCode::after_iterations,
+                              .figures = {{"iterations", fit.iterations}},
+                              .parts = ending_parts(fit.termination)}}};
   return result;
 }
 

@@ -14,6 +14,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/regression/static_surface.hpp"
+#include "support/endings.hpp"
 #include "support/findings.hpp"
 #include "support/process.hpp"
 #include "support/twin.hpp"
@@ -137,7 +138,7 @@ void expect_refusal(const Dataset& record, const TermList& terms, const std::str
     ADD_FAILURE() << "no refusal";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::refused);
-    EXPECT_THAT(error.what(), HasSubstr(advice));
+    EXPECT_THAT(error.what() + sentence(error.ending(), Language::en), HasSubstr(advice));
     std::vector<std::string> options;
     for (const Remedy& remedy : error.remedies()) options.push_back(remedy.option);
     EXPECT_EQ(options, remedies);
@@ -198,7 +199,8 @@ TEST(Eiv, FindsTheFiniteMinimumThatLeastSquaresDoesNotLeadTo) {
   EXPECT_NEAR(result.coefficients[1].value, 10.98710, 1e-4);
   EXPECT_NEAR(*result.coefficients[1].standard_error, 41.9, 0.1);
   EXPECT_NEAR(result.history.at(0).values.back(), 0.68919064, 1e-8);
-  EXPECT_THAT(result.ending.reason, HasSubstr("gave this, the best result: the first start ended elsewhere"));
+  EXPECT_THAT(test::said(result.ending),
+              HasSubstr("gave this, the best result: the first start ended elsewhere"));
 }
 
 // Nearly one output for opposite inputs, which are a thousandth of their uncertainty: the larger Ki, the

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/regression/ols.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
@@ -31,11 +28,9 @@ Identification fit(const Ols& /*method*/, const Dataset& training, const Identif
   add_residual_figures(result.diagnostics, training, solution.rss, found.identified.size());
   result.findings.push_back({.code = Code::white_noise_assumed});
   note_unused_sigma(result, training);
-  result.ending = {
-      .status = EndingStatus::direct,
-      .reason = fmt::format("solved directly by normal equations in twice the working precision: {} "
-                            "rows, {}",
-                            training.rows(), amount_text(found.identified.size(), "coefficient"))};
+  result.ending = {.status = EndingStatus::direct,
+                   .parts = {{.code = EndingCode::normal_equations,
+                              .figures = {{"rows", training.rows()}, {"count", found.identified.size()}}}}};
   progress.update("least squares", 1, 1);
   return result;
 }

@@ -156,7 +156,7 @@ Identification fit(const Robust& method, const Dataset& training, const Identify
   add_findings(result, training, fit, method, suspects);
   result.details = RobustDetails{.scale = fit.scale, .suspect_rows = std::move(suspects)};
   result.row_weights = {.values = std::move(fit.weights), .fixed = false};
-  result.ending = ending_of(std::move(fit.termination));
+  result.ending = ending_of(fit.termination);
   progress.update("robust regression", 1, 1);
   return result;
 }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/regression/tls.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
@@ -127,9 +124,8 @@ Identification fit(const Tls& method, const Dataset& training, const IdentifyOpt
   add_findings(result.findings, terms, sigmas, method.uncertainty.scaling, ratio);
   result.ending = {
       .status = EndingStatus::direct,
-      .reason = fmt::format("solved directly by QR and SVD: {} rows, {}, gap of the singular "
-                            "values {:.3g}",
-                            training.rows(), amount_text(terms.size(), "coefficient"), solution.gap)};
+      .parts = {{.code = EndingCode::singular_values,
+                 .figures = {{"rows", training.rows()}, {"count", terms.size()}, {"gap", solution.gap}}}}};
   progress.update("total least squares", 1, 1);
   return result;
 }

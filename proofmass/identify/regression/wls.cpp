@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
@@ -88,11 +87,9 @@ Weighted fit_by_sigma(const TermSums& sums, const TermList& terms, std::vector<d
         {.code = Code::rows_without_weight,
          .figures = {{"count", training.rows() - counted}, {"total", training.rows()}}});
   }
-  result.ending = {
-      .status = EndingStatus::direct,
-      .reason = fmt::format("solved directly by normal equations in twice the working precision: {} weighted "
-                            "rows, {}",
-                            counted, amount_text(terms.size(), "coefficient"))};
+  result.ending = {.status = EndingStatus::direct,
+                   .parts = {{.code = EndingCode::weighted_normal_equations,
+                              .figures = {{"rows", counted}, {"count", terms.size()}}}}};
   return result;
 }
 
@@ -133,7 +130,7 @@ Weighted fit_by_model(const TermSums& sums, const TermList& terms, const Wls& op
   const bool exact = !std::all_of(weights.begin(), weights.end(), [](double w) { return std::isfinite(w); });
   if (exact) weights.clear();  // no residuals that tell one row from another
   result.row_weights = {.values = std::move(weights), .fixed = false};
-  result.ending = ending_of(std::move(fit.termination));
+  result.ending = ending_of(fit.termination);
   result.coefficients = std::move(fit.fit.coefficients);
   result.unscaled_covariance = std::move(fit.fit.unscaled_covariance);
   result.rss = fit.fit.rss;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/search/afsa.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -107,8 +105,9 @@ Matrix mean_square_error(const LeastSquaresFit& best, const std::vector<double>&
 }
 
 Ending ending_of_swarm(const FishResult& swarm) {
-  return ending_of(swarm.termination.cause, fmt::format("fish swarm: {}; {} evaluations",
-                                                        swarm.termination.reason, swarm.evaluations));
+  return {.status = ending_status(swarm.termination.cause),
+          .parts = {{.code = EndingCode::fish_swarm, .parts = ending_parts(swarm.termination)},
+                    {.code = EndingCode::evaluations, .figures = {{"count", swarm.evaluations}}}}};
 }
 
 void add_findings(Identification& result, const Distance& distance, const Dataset& training) {

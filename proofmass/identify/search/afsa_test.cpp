@@ -10,6 +10,7 @@
 #include "proofmass/identify/model/design_matrix.hpp"
 #include "proofmass/identify/regression/ols.hpp"
 #include "proofmass/identify/search/coefficient_space.hpp"
+#include "support/endings.hpp"
 #include "support/findings.hpp"
 #include "support/twin.hpp"
 
@@ -79,7 +80,7 @@ TEST(Afsa, SaysHowFarItStaysWhenItStaysFar) {
 TEST(Afsa, EndsAtTheTargetAskedFor) {
   const Identification found = fitted(test::make_twin(), options_for("linear"), {.target = 0.1});
   EXPECT_EQ(found.ending.status, EndingStatus::target_reached);
-  EXPECT_THAT(found.ending.reason, testing::HasSubstr("0.1"));
+  EXPECT_THAT(test::said(found.ending), testing::HasSubstr("0.1"));
 }
 
 // The objective that the fish see, summed over the rows.

@@ -113,11 +113,12 @@ void add_findings(Identification& result, const GmdhRows& rows, const SubsetSear
   result.findings.push_back({.code = Code::white_noise_assumed});
 }
 
-std::string ending_reason(const SubsetSearchResult& found, std::size_t candidates) {
-  const std::string searched = fmt::format("{} models computed of the {} there are", found.evaluations,
-                                           (std::uint64_t{1} << candidates) - 1);
-  return found.proven ? searched + "; the bound rules out that any other is better"
-                      : searched + "; a better one may exist, for the search was not exhaustive";
+Ending ending_of(const SubsetSearchResult& found, std::size_t candidates) {
+  const auto models = static_cast<double>((std::uint64_t{1} << candidates) - 1);
+  return {.status = found.proven ? EndingStatus::converged : EndingStatus::iteration_limit,
+          .parts = {{.code = EndingCode::subsets_searched,
+                     .figures = {{"count", found.evaluations}, {"total", models}}},
+                    {.code = found.proven ? EndingCode::subsets_proven : EndingCode::subsets_not_proven}}};
 }
 
 }  // namespace
@@ -142,8 +143,7 @@ Identification identify_gmdh_combi(const Gmdh& method, const Dataset& training,
   result.details = GmdhDetails{.models_tried = found.evaluations};
   result.diagnostics.iterations = found.evaluations;
   result.history.push_back(criterion_curve(found));
-  result.ending = {.status = found.proven ? EndingStatus::converged : EndingStatus::iteration_limit,
-                   .reason = ending_reason(found, all.identified.size())};
+  result.ending = ending_of(found, all.identified.size());
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/regression/ols.hpp"
+#include "support/endings.hpp"
 #include "support/findings.hpp"
 #include "support/twin.hpp"
 
@@ -56,7 +57,7 @@ TEST(GmdhCombi, TrueTermsAllAndFalseOnesFew) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Dataset record = test::make_twin({.rows = 1400, .noise = 1e-5, .seed = seed});
     const Identification result = fitted(record, "full");
-    EXPECT_EQ(result.ending.status, EndingStatus::converged) << result.ending.reason;
+    EXPECT_EQ(result.ending.status, EndingStatus::converged) << test::said(result.ending);
     for (const Coefficient& c : result.coefficients) {
       const bool real = truth.coefficient(c.term) != 0.0;
       EXPECT_TRUE(c.identified || !real) << name(c.term) << " seed " << seed;
@@ -92,7 +93,7 @@ TEST(GmdhCombi, SaysWhenTheSearchWasNotExhaustive) {
   const Identification result =
       fitted(test::make_twin(), "full", {.criterion = GmdhCriterion::unbiasedness, .models = 50});
   EXPECT_EQ(result.ending.status, EndingStatus::iteration_limit);
-  EXPECT_THAT(result.ending.reason, HasSubstr("not exhaustive"));
+  EXPECT_THAT(test::said(result.ending), HasSubstr("not exhaustive"));
 }
 
 TEST(Gmdh, RefusesPartsThatCannotServe) {
@@ -159,7 +160,7 @@ TEST(GmdhMia, ReportsWhatFallsOutsideAndClaimsNoStandardErrors) {
   EXPECT_NEAR(result.coefficients[1].value, 0.999979, 1e-2);
   ASSERT_EQ(result.history.size(), 1U);
   EXPECT_EQ(result.history[0].name, "criterion_by_layer");
-  EXPECT_FALSE(result.ending.reason.empty());
+  EXPECT_FALSE(test::said(result.ending).empty());
 }
 
 }  // namespace

@@ -38,21 +38,20 @@ class School {
   FishResult run(const FishObserver& observer) {
     for (std::size_t iteration = 1; iteration <= settings_.iterations; ++iteration) {
       if (settings_.target && bulletin_.value <= *settings_.target) {
-        return finish(
-            {Cause::target_reached, fmt::format("best value {:.6g} is at or below the target {:.6g}",
-                                                bulletin_.value, *settings_.target)});
+        return finish(ended(Cause::target_reached, Event::swarm_at_target,
+                            {{"value", bulletin_.value}, {"target", *settings_.target}}));
       }
       shrink(iteration);
       move();
       record();
       if (observer && !observer(iteration, bulletin_.value))
-        return finish({Cause::stopped, "stopped by the observer"});
+        return finish(ended(Cause::stopped, Event::stopped_by_observer));
       if (stalled()) {
         return finish(
-            {Cause::stalled, fmt::format("no better value in {} iterations", settings_.stall_iterations)});
+            ended(Cause::stalled, Event::swarm_stalled, {{"iterations", settings_.stall_iterations}}));
       }
     }
-    return finish({Cause::iteration_limit, fmt::format("all {} iterations spent", settings_.iterations)});
+    return finish(ended(Cause::iteration_limit, Event::swarm_spent, {{"iterations", settings_.iterations}}));
   }
 
  private:

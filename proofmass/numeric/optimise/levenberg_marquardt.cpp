@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -42,7 +40,7 @@ class Minimiser {
 
   LevenbergMarquardtResult run(const LevenbergMarquardtObserver& observer) {
     if (!std::isfinite(result_.sum_of_squares)) {
-      return finish({Cause::stalled, "the sum of squares at the start is not finite"});
+      return finish(ended(Cause::stalled, Event::start_not_finite));
     }
     Termination termination = iterate(observer);
     if (termination.cause == Cause::converged || termination.cause == Cause::stalled) polish(termination);
@@ -53,32 +51,29 @@ class Minimiser {
   Termination iterate(const LevenbergMarquardtObserver& observer) {
     for (;;) {
       if (result_.sum_of_squares <= options_.target) {
-        return {Cause::target_reached, fmt::format("sum of squares {:.6g} is at or below the target {:.6g}",
-                                                   result_.sum_of_squares, options_.target)};
+        return ended(Cause::target_reached, Event::descent_at_target,
+                     {{"sum", result_.sum_of_squares}, {"target", options_.target}});
       }
       if (stalled()) {
-        return {Cause::stalled, fmt::format("less than {:.1g} relative reduction over {} epochs",
-                                            options_.stall_reduction, options_.stall_window)};
+        return ended(Cause::stalled, Event::descent_stalled,
+                     {{"reduction", options_.stall_reduction}, {"epochs", options_.stall_window}});
       }
       if (result_.iterations >= options_.iterations) {
-        return {Cause::iteration_limit, "the epochs allowed are spent"};
+        return ended(Cause::iteration_limit, Event::epochs_spent);
       }
       linearise();
       if (const double norm = problem_->gradient().norm(); norm <= options_.minimum_gradient) {
-        return {Cause::converged,
-                fmt::format("gradient {:.3g} is at or below {:.3g}", norm, options_.minimum_gradient)};
+        return ended(Cause::converged, Event::gradient_small,
+                     {{"gradient", norm}, {"limit", options_.minimum_gradient}});
       }
       if (options_.orthogonality > 0.0 && largest_cosine() <= options_.orthogonality) {
-        return {Cause::converged, fmt::format("no column of the Jacobian has a cosine above {:.3g} with the "
-                                              "residuals",
-                                              options_.orthogonality)};
+        return ended(Cause::converged, Event::residuals_orthogonal, {{"limit", options_.orthogonality}});
       }
       if (!descend()) {
-        return {Cause::stalled,
-                fmt::format("no step reduces the sum of squares up to damping {:.3g}", options_.mu_max)};
+        return ended(Cause::stalled, Event::descent_no_step, {{"damping", options_.mu_max}});
       }
       if (observer && !observer(result_.iterations, view(std::as_const(point_)), result_.sum_of_squares)) {
-        return {Cause::stopped, "stopped by the observer"};
+        return ended(Cause::stopped, Event::stopped_by_observer);
       }
     }
   }
@@ -193,7 +188,7 @@ class Minimiser {
     }
     if (steps == 0) return;
     termination.cause = Cause::converged;
-    termination.reason += fmt::format("; polished by {} Gauss-Newton steps", steps);
+    termination.remarks.push_back({.event = Event::descent_polished, .figures = {{"steps", steps}}});
   }
 
   std::unique_ptr<LinearisedSum> problem_;

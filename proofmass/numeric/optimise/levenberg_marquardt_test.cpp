@@ -153,7 +153,7 @@ void expect_consistent(const LevenbergMarquardtResult& result, const Residuals& 
   EXPECT_TRUE(std::is_sorted(result.history.rbegin(), result.history.rend()));
   EXPECT_EQ(problem.acceptances, result.iterations + 1);
   EXPECT_EQ(result.evaluations, problem.evaluations + problem.curvatures);
-  EXPECT_FALSE(result.termination.reason.empty());
+  EXPECT_FALSE(result.termination.remarks.empty());
 }
 
 class LevenbergMarquardt : public testing::TestWithParam<Variant> {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/numeric/optimise/particle_swarm.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,21 +45,21 @@ class Swarm {
   SwarmResult run(const SwarmObserver& observer) {
     for (std::size_t iteration = 1;; ++iteration) {
       if (settings_.target && best() <= *settings_.target) {
-        return finish(
-            {Cause::target_reached,
-             fmt::format("best value {:.6g} is at or below the target {:.6g}", best(), *settings_.target)});
+        return finish(ended(Cause::target_reached, Event::swarm_at_target,
+                            {{"value", best()}, {"target", *settings_.target}}));
       }
       if (stalled()) {
         return finish(
-            {Cause::stalled, fmt::format("no better value in {} iterations", settings_.stall_iterations)});
+            ended(Cause::stalled, Event::swarm_stalled, {{"iterations", settings_.stall_iterations}}));
       }
       if (iteration > settings_.iterations) {
-        return finish({Cause::iteration_limit, fmt::format("all {} iterations spent", settings_.iterations)});
+        return finish(
+            ended(Cause::iteration_limit, Event::swarm_spent, {{"iterations", settings_.iterations}}));
       }
       settings_.update == SwarmUpdate::synchronous ? iterate_synchronously() : iterate_asynchronously();
       record();
       if (observer && !observer(iteration, best()))
-        return finish({Cause::stopped, "stopped by the observer"});
+        return finish(ended(Cause::stopped, Event::stopped_by_observer));
     }
   }
 

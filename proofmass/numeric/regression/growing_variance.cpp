@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/numeric/regression/growing_variance.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -157,11 +155,9 @@ GrowingVarianceFit fit_growing_variance(const RegressionRows& rows, std::span<co
   result.base = result.variance * (1.0 - fraction);
   result.slope = varies ? result.variance * fraction / shape.mean() : 0.0;
   const bool converged = step <= options.tolerance;
-  result.termination = {
-      .cause = converged ? Cause::converged : Cause::iteration_limit,
-      .reason = fmt::format(
-          "{} after {} rounds: the growing fraction of the variance is {:.6g} and moved by {:.1e}",
-          converged ? "converged" : "stopped at the limit of rounds", result.iterations, fraction, step)};
+  result.termination = ended(converged ? Cause::converged : Cause::iteration_limit,
+                             converged ? Event::variance_converged : Event::variance_spent,
+                             {{"count", result.iterations}, {"fraction", fraction}, {"step", step}});
   return result;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/numeric/regression/orthogonal_distance.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -92,7 +90,7 @@ class DistanceMinimiser {
 
   OrthogonalDistanceFit run(const OrthogonalDistanceObserver& observer) {
     if (!std::isfinite(result_.sum_of_squares)) {
-      return finish({Cause::stalled, "the sum of squares at the start is not finite"});
+      return finish(ended(Cause::stalled, Event::start_not_finite));
     }
     while (result_.iterations < options_.iterations) {
       if (std::optional<Termination> end = iterate()) {
@@ -100,12 +98,11 @@ class DistanceMinimiser {
         return finish(std::move(*end));
       }
       if (observer && !observer(result_.iterations, result_.sum_of_squares)) {
-        return finish({Cause::stopped, "stopped by the observer"});
+        return finish(ended(Cause::stopped, Event::stopped_by_observer));
       }
     }
-    return finish({Cause::iteration_limit, fmt::format("the {} iterations allowed are spent, the last step "
-                                                       "was {:.1e} standard deviations long",
-                                                       options_.iterations, length_)});
+    return finish(ended(Cause::iteration_limit, Event::distance_iterations_spent,
+                        {{"iterations", options_.iterations}, {"length", length_}}));
   }
 
  private:
@@ -113,9 +110,7 @@ class DistanceMinimiser {
   std::optional<Termination> iterate() {
     const bool advanced = advance();
     if (advanced && length_ <= limit_) {
-      return Termination{Cause::converged, fmt::format("the last step was {:.1e} standard deviations long, "
-                                                       "at or below {:.1e}",
-                                                       length_, limit_)};
+      return ended(Cause::converged, Event::distance_step_short, {{"length", length_}, {"limit", limit_}});
     }
     const std::size_t n = result_.history.size();
     const bool still = n > kStandstillIterations && result_.history[n - 1 - kStandstillIterations] <=
@@ -124,15 +119,13 @@ class DistanceMinimiser {
     const double remaining = fitter_.linearise(0.0).rotated.norm();
     const double ratio = result_.sum_of_squares / static_cast<double>(fitter_.rows());
     if (remaining <= kNegligible * std::min(1.0, std::sqrt(ratio))) {
-      return Termination{Cause::converged,
-                         fmt::format("the sum of squares {:.6g} no longer falls, and the step that remains, "
-                                     "{:.1e} standard errors long, would lower it by {:.1e} only",
-                                     result_.sum_of_squares, remaining, remaining * remaining)};
+      return ended(
+          Cause::converged, Event::distance_stands_still,
+          {{"sum", result_.sum_of_squares}, {"length", remaining}, {"reduction", remaining * remaining}});
     }
     if (advanced) return std::nullopt;
-    return Termination{Cause::stalled, fmt::format("no step reduces the sum of squares {:.6g} up to damping "
-                                                   "{:.1g}",
-                                                   result_.sum_of_squares, mu_)};
+    return ended(Cause::stalled, Event::distance_no_step,
+                 {{"sum", result_.sum_of_squares}, {"damping", mu_}});
   }
 
   // Raises the damping until a step does not raise the sum of squares, and takes it; false when none does.
@@ -196,12 +189,8 @@ class DistanceMinimiser {
     result_.significance = (end.triangle * parameters).norm();
     result_.runaway = end.output_share < kRunawayShare && result_.significance < kRunawaySignificance;
     if (result_.runaway && result_.termination.cause == Cause::converged) {
-      result_.termination = {
-          Cause::stalled,
-          fmt::format("the coefficients grow without end, together {:.1e} standard errors from "
-                      "zero, while the sum of squares tends to {:.6g}: the inputs are too "
-                      "uncertain to tell how the output depends on them",
-                      result_.significance, result_.sum_of_squares)};
+      result_.termination = ended(Cause::stalled, Event::distance_runs_away,
+                                  {{"significance", result_.significance}, {"sum", result_.sum_of_squares}});
     }
     result_.dof = fitter_.rows() - result_.parameters.size();
     result_.offsets = fitter_.offsets();
@@ -258,15 +247,12 @@ OrthogonalDistanceFit fit_orthogonal_distance_from(const Surface& surface,
   }
   if (best.termination.cause != Cause::converged) return best;
   if (from > 0) {
-    best.termination.reason +=
-        fmt::format("; start {} of {} gave this, the best result: the first start ended elsewhere", from + 1,
-                    starts.size());
+    best.termination.remarks.push_back(
+        {.event = Event::distance_other_start, .figures = {{"start", from + 1}, {"total", starts.size()}}});
   }
   if (beyond < best.sum_of_squares) {
-    best.termination.reason += fmt::format(
-        "; this minimum is a local one: the sum of squares, {:.6g} here, tends to {:.6g} where the "
-        "coefficients grow without end",
-        best.sum_of_squares, beyond);
+    best.termination.remarks.push_back({.event = Event::distance_local_minimum,
+                                        .figures = {{"sum", best.sum_of_squares}, {"beyond", beyond}}});
   }
   return best;
 }

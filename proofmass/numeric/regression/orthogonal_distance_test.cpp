@@ -89,7 +89,7 @@ double profile(const Points& points, double a, double b) {
 TEST(OrthogonalDistance, FindsTheMinimumOfTheProfile) {
   const Points points = noisy_exponential(60);
   const auto fit = fit_orthogonal_distance(Exponential(), points.observed(), std::array{1.0, 1.0});
-  EXPECT_EQ(fit.termination.cause, Cause::converged) << fit.termination.reason;
+  EXPECT_EQ(fit.termination.cause, Cause::converged);
   const double a = fit.parameters[0];
   const double b = fit.parameters[1];
   const double least = profile(points, a, b);
@@ -106,7 +106,7 @@ TEST(OrthogonalDistance, DampsFromAfarAndNeverGetsWorse) {
   const Points points = noisy_exponential(60);
   const auto near = fit_orthogonal_distance(Exponential(), points.observed(), std::array{1.4, 0.8});
   const auto far = fit_orthogonal_distance(Exponential(), points.observed(), std::array{0.2, 3.0});
-  EXPECT_EQ(far.termination.cause, Cause::converged) << far.termination.reason;
+  EXPECT_EQ(far.termination.cause, Cause::converged);
   EXPECT_NEAR(far.parameters[0], near.parameters[0], 1e-8);
   EXPECT_NEAR(far.parameters[1], near.parameters[1], 1e-8);
   for (std::size_t k = 1; k < far.history.size(); ++k) {
@@ -136,7 +136,7 @@ TEST(OrthogonalDistance, ConvergesWhereTheSurfaceBendsWithinTheInputsUncertainty
     const Points points = noisy_cubic(seed, 0.3);
     const auto off = fit_orthogonal_distance(Cubic(), points.observed(), std::array{0.0, 4.0, -3.5});
     const auto near = fit_orthogonal_distance(Cubic(), points.observed(), kCubic);
-    EXPECT_EQ(off.termination.cause, Cause::converged) << off.termination.reason;
+    EXPECT_EQ(off.termination.cause, Cause::converged);
     EXPECT_LT(off.iterations, 100U);
     if (std::abs(off.sum_of_squares - near.sum_of_squares) > 1e-8 * near.sum_of_squares) ++apart;
     for (std::size_t k = 1; k < off.history.size(); ++k) {
@@ -179,8 +179,8 @@ TEST(OrthogonalDistance, AStandstillFarBelowOneStandardErrorIsConvergence) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Points points = noisy_cubic(seed, 0.5);
     const auto fit = fit_orthogonal_distance(Cubic(), points.observed(), kCubic);
-    EXPECT_EQ(fit.termination.cause, Cause::converged) << fit.termination.reason;
-    if (fit.termination.reason.find("no longer falls") == std::string::npos) continue;
+    EXPECT_EQ(fit.termination.cause, Cause::converged);
+    if (fit.termination.remarks.front().event != Event::distance_stands_still) continue;
     ++still;
     for (std::size_t k = 0; k < 3; ++k) {
       for (const double h : {1e-2, -1e-2}) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/numeric/regression/robust_regression.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -173,18 +171,15 @@ void iterate(const RobustProblem& problem, const RobustOptions& options, double 
   const std::size_t limit = state.iterations + options.iterations;
   do {
     if (asked_to_stop(keep_going)) {
-      termination = {.cause = Cause::stopped, .reason = "stopped on request"};
+      termination = ended(Cause::stopped, Event::stopped_on_request);
       return;
     }
     reweight(problem, loss, scale, prior, state);
   } while (!state.rank_deficient && state.step > enough && state.iterations < limit);
   const bool converged = state.step <= enough;
-  termination = {
-      .cause = converged ? Cause::converged : Cause::iteration_limit,
-      .reason = fmt::format("{} after {} reweightings: the last moved no fitted value by more than "
-                            "{:.1e} of the scale",
-                            converged ? "converged" : "stopped at the limit of iterations", state.iterations,
-                            state.step / scale)};
+  termination = ended(converged ? Cause::converged : Cause::iteration_limit,
+                      converged ? Event::reweighting_converged : Event::reweighting_spent,
+                      {{"count", state.iterations}, {"step", state.step / scale}});
 }
 
 // Huber's asymptotic covariance over (XᵀX)⁻¹.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/numeric/selection/quadratic_layers.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -155,11 +153,11 @@ std::vector<PolynomialNode> next_pool(const std::vector<PolynomialNode>& inputs,
 bool improves(const QuadraticLayers& result, double before, double improvement, Termination& termination) {
   const double least = result.value_of_layer.back();
   if (std::sqrt(least) < (1.0 - improvement) * std::sqrt(before)) return true;
-  termination = {.cause = Cause::converged,
-                 .reason = fmt::format("layer {} lowers the criterion from {:.4g} to {:.4g}, less than the "
-                                       "{:g} % asked for",
-                                       result.value_of_layer.size(), std::sqrt(before), std::sqrt(least),
-                                       100.0 * improvement)};
+  termination = ended(Cause::converged, Event::layers_stalled,
+                      {{"layer", result.value_of_layer.size()},
+                       {"before", std::sqrt(before)},
+                       {"after", std::sqrt(least)},
+                       {"percent", 100.0 * improvement}});
   return false;
 }
 
@@ -170,8 +168,7 @@ QuadraticLayers grow_quadratic_layers(const std::vector<PolynomialNode>& inputs,
                                       const QuadraticLayerSettings& settings, const LayerObserver& observer) {
   QuadraticLayers result;
   result.value = std::numeric_limits<double>::infinity();
-  result.termination = {.cause = Cause::iteration_limit,
-                        .reason = fmt::format("all {} layers are grown", settings.layers)};
+  result.termination = ended(Cause::iteration_limit, Event::layers_spent, {{"layers", settings.layers}});
   std::vector<PolynomialNode> pool = inputs;
   for (std::size_t layer = 1; layer <= settings.layers; ++layer) {
     std::vector<Neuron> neurons = grow_layer(pool, y, fitting, criterion);
@@ -179,8 +176,7 @@ QuadraticLayers grow_quadratic_layers(const std::vector<PolynomialNode>& inputs,
     result.neurons += neurons.size();
     result.discarded += pairs - neurons.size();
     if (neurons.empty()) {
-      result.termination = {.cause = Cause::stalled,
-                            .reason = fmt::format("no pair of layer {} could be fitted", layer)};
+      result.termination = ended(Cause::stalled, Event::layers_without_pair, {{"layer", layer}});
       break;
     }
     const double before = result.value;
@@ -192,7 +188,7 @@ QuadraticLayers grow_quadratic_layers(const std::vector<PolynomialNode>& inputs,
     }
     if (!improves(result, before, settings.improvement, result.termination)) break;
     if (observer && !observer(layer, result.value)) {
-      result.termination = {.cause = Cause::stopped, .reason = "stopped"};
+      result.termination = ended(Cause::stopped, Event::stopped_by_observer);
       break;
     }
     pool = next_pool(inputs, std::move(neurons), settings);

@@ -10,20 +10,37 @@ namespace {
 using Json = nlohmann::ordered_json;
 }  // namespace
 
+Json json_of_figures(std::span<const Figure> figures) {
+  Json json = Json::object();
+  for (const Figure& figure : figures) {
+    // What is not finite has no number in JSON.
+    const auto* const number = std::get_if<double>(&figure.value);
+    if (number != nullptr && !std::isfinite(*number)) {
+      json[figure.name] = std::isnan(*number) ? "not a number" : "infinite";
+    } else {
+      std::visit([&](const auto& value) { json[figure.name] = value; }, figure.value);
+    }
+  }
+  return json;
+}
+
+std::vector<Figure> figures_of(const JsonNode& node) {
+  std::vector<Figure> figures;
+  for (const auto& [name, value] : node.members()) {
+    if (value.is_text()) {
+      figures.emplace_back(name, value.text());
+    } else {
+      figures.emplace_back(name, value.number());
+    }
+  }
+  return figures;
+}
+
 Json json_of(const Finding& finding) {
   Json json{{"code", to_string(finding.code)}, {"severity", to_string(finding.severity)}};
   for (const Term term : finding.terms) json["terms"].push_back(name(term));
   if (!finding.lines.empty()) json["lines"] = finding.lines;
-  json["figures"] = Json::object();
-  for (const Figure& figure : finding.figures) {
-    // What is not finite has no number in JSON.
-    const auto* const number = std::get_if<double>(&figure.value);
-    if (number != nullptr && !std::isfinite(*number)) {
-      json["figures"][figure.name] = std::isnan(*number) ? "not a number" : "infinite";
-    } else {
-      std::visit([&](const auto& value) { json["figures"][figure.name] = value; }, figure.value);
-    }
-  }
+  json["figures"] = json_of_figures(finding.figures);
   json["text"] = english(finding);
   return json;
 }
@@ -49,13 +66,7 @@ Finding finding_of(const JsonNode& node) {
     return finding;
   }
   finding.code = *code;
-  for (const auto& [name, value] : node.at("figures").members()) {
-    if (value.is_text()) {
-      finding.figures.emplace_back(name, value.text());
-    } else {
-      finding.figures.emplace_back(name, value.number());
-    }
-  }
+  finding.figures = figures_of(node.at("figures"));
   return finding;
 }
 

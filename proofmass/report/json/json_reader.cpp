@@ -10,6 +10,7 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/text.hpp"
 #include "proofmass/files/text_file.hpp"
+#include "proofmass/report/json/endings_internal.hpp"
 #include "proofmass/report/json/findings_internal.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/json/node_internal.hpp"
@@ -83,19 +84,6 @@ std::optional<Metrics> metrics_of(const JsonNode& parts, const std::string& part
                  .mape_percent = optional_number(*node, "mape_percent"),
                  .mape_rows = optional_count(*node, "mape_rows").value_or(0),
                  .r2 = optional_number(*node, "r2")};
-}
-
-Ending ending_of(const JsonNode& node) {
-  constexpr std::array kStatuses{EndingStatus::direct,         EndingStatus::converged,
-                                 EndingStatus::target_reached, EndingStatus::stalled,
-                                 EndingStatus::early_stopped,  EndingStatus::iteration_limit,
-                                 EndingStatus::failed};
-  const JsonNode status = node.at("status");
-  const std::string word = status.text();
-  const auto* const found =
-      std::find_if(kStatuses.begin(), kStatuses.end(), [&](EndingStatus s) { return to_string(s) == word; });
-  if (found == kStatuses.end()) status.fail("a known ending");
-  return {.status = *found, .reason = node.at("reason").text()};
 }
 
 std::vector<Curve> history_of(const JsonNode& node) {

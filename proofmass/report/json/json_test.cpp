@@ -16,6 +16,7 @@
 #include "proofmass/core/error.hpp"
 #include "proofmass/report/json/comparison.hpp"
 #include "proofmass/report/text/en.hpp"
+#include "proofmass/report/text/endings.hpp"
 #include "support/findings.hpp"
 
 namespace proofmass {
@@ -72,7 +73,10 @@ Run full_run() {
                              .output_range = {-3, 3}};
   r.train = Metrics{.n = 7, .mae = 0.1, .mse = 0.2, .rmse = std::sqrt(0.2), .mape_percent = {}, .r2 = 0.999};
   r.test = Metrics{.n = 3, .mae = 1, .mse = 2, .rmse = 3, .mape_percent = 4, .mape_rows = 2, .r2 = {}};
-  r.ending = {.status = EndingStatus::early_stopped, .reason = "6 failures"};
+  r.ending = {.status = EndingStatus::early_stopped,
+              .parts = {{.code = EndingCode::best_candidate,
+                         .figures = {{"epochs", 9.0}, {"candidates", 1.0}},
+                         .parts = {{.code = EndingCode::validation_stalled, .figures = {{"epochs", 6.0}}}}}}};
   r.history = {{.name = "training", .values = {1.0, 0.1}}, {.name = "empty", .values = {}}};
   r.diagnostics.residual_sd = 0.3;
   r.diagnostics.dof = 4;
@@ -111,7 +115,7 @@ Run full_run() {
 }
 
 Run with_details(Details details) {
-  Run run = full_run();
+  proofmass::Run run = full_run();
   run.identification.details = std::move(details);
   return run;
 }
@@ -275,6 +279,30 @@ TEST(Json, ReadsBackTheDetailsOfTheOthers) {
       std::holds_alternative<std::monostate>(again(with_details(std::monostate())).identification.details));
 }
 
+TEST(Json, KeepsWhatEndingsSay) {
+  Ending ending{.status = EndingStatus::stalled,
+                .parts = {{.code = EndingCode::particle_swarm,
+                           .parts = {{.code = EndingCode::swarm_spent, .figures = {{"iterations", 60.0}}}}},
+                          {.code = EndingCode::training,
+                           .parts = {{.code = EndingCode::descent_stalled,
+                                      .figures = {{"reduction", 1e-5}, {"epochs", 50.0}}},
+                                     {.code = EndingCode::descent_polished, .figures = {{"steps", 2.0}}}}}}};
+  proofmass::Run run = full_run();
+  run.identification.ending = ending;
+  std::string text = to_json(run);
+  EXPECT_EQ(Json::parse(text)["ending"]["reason"],
+            "swarm: all 60 iterations spent; training: less than 1e-05 relative reduction over 50 epochs; "
+            "polished by 2 Gauss-Newton steps");
+  EXPECT_EQ(parse_result(text, "a.json").identification.ending, ending);
+
+  // The sentence alone, of a version that knows other codes.
+  const std::string known = "\"descent_polished\"";
+  text.replace(text.find(known), known.size(), "\"of_tomorrow\"");
+  const Ending other = parse_result(text, "a.json").identification.ending;
+  ASSERT_EQ(other.parts.size(), 1U);
+  EXPECT_EQ(sentence(other.parts, Language::zh), sentence(ending.parts, Language::en));
+}
+
 // What 0.1.0 wrote for a network of one input: sentences instead of findings, and a share.
 TEST(Json, ReadsResultsOfTheFirstVersion) {
   const std::string text =
@@ -345,7 +373,7 @@ RC_GTEST_PROP(Json, KeepsTheBitsOfEveryFiniteNumber, ()) {
   const auto bits = *rc::gen::arbitrary<std::uint64_t>();
   const auto value = std::bit_cast<double>(bits);
   RC_PRE(std::isfinite(value));
-  Run run = full_run();
+  proofmass::Run run = full_run();
   run.identification.coefficients[0].value = value;
   run.identification.findings[1].figures[3].value = value;
   const Identification read = again(run).identification;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "proofmass/report/json/endings_internal.hpp"
 #include "proofmass/report/json/findings_internal.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/json/layout.hpp"
@@ -190,7 +191,7 @@ std::string to_json(const Run& run) {
     json["input_referred"] = json_of(referred_to_input(result), Unit{});
   }
   json["metrics"] = metrics_of(result);
-  json["ending"] = {{"status", to_string(result.ending.status)}, {"reason", result.ending.reason}};
+  json["ending"] = json_of(result.ending);
   json["history"] = history_of(result.history);
   json["findings"] = json_of(result.findings);
   json["diagnostics"] = diagnostics_of(result);

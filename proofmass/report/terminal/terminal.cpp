@@ -16,6 +16,7 @@
 #include "proofmass/report/terminal/terminal_text.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
 #include "proofmass/report/text/en.hpp"
+#include "proofmass/report/text/endings.hpp"
 
 namespace proofmass {
 namespace {
@@ -210,7 +211,7 @@ std::string render_table(const Identification& result, const TerminalStyle& styl
     write_suspects(out, robust->suspect_rows, output);
   }
   out.heading(fmt::format("Ended: {}", to_string(result.ending.status)));
-  out.line(result.ending.reason);
+  out.line(sentence(result.ending.parts, Language::en));
   write_diagnostics(out, result);
   write_findings(out, result.findings, Severity::note);
   write_findings(out, result.findings, Severity::basis);

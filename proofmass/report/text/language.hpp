@@ -34,6 +34,6 @@ struct Text {
 };
 
 // A text that is the same in every language: a symbol, a number, a name.
-[[nodiscard]] inline Text same_text(std::string text) { return {text, text}; }
+[[nodiscard]] inline Text same_text(const std::string& text) { return {text, text}; }
 
 }  // namespace proofmass

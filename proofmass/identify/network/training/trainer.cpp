@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/network/training/trainer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
-#include "proofmass/core/text.hpp"
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/network/training/descent_internal.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 #include "proofmass/numeric/network/variable_projection.hpp"
@@ -60,8 +58,9 @@ constexpr double kGain = 0.8;
 
 void mention_perturbations(TrainingState& state) {
   if (state.perturbations == 0 || state.termination.cause == Cause::stopped) return;
-  state.termination.reason += fmt::format("; {} perturbations, the last {} without gain", state.perturbations,
-                                          state.idle_perturbations);
+  state.termination.remarks.push_back(
+      {.event = Event::weights_perturbed,
+       .figures = {{"count", state.perturbations}, {"idle", state.idle_perturbations}}});
 }
 
 }  // namespace
@@ -154,10 +153,10 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
     state.finished = state.termination.cause != Cause::stalled || !go_on(state, reached);
   }
   if (!state.finished) {
-    state.termination = {Cause::iteration_limit, "the epochs allowed are spent"};
+    state.termination = ended(Cause::iteration_limit, Event::epochs_spent);
   } else if (descent.stopped_early()) {
-    state.termination.reason = fmt::format("validation error did not improve in {}",
-                                           amount_text(options_.validation_failures, "epoch"));
+    state.termination.remarks = {
+        {.event = Event::validation_stalled, .figures = {{"epochs", options_.validation_failures}}}};
   } else {
     mention_perturbations(state);
   }
@@ -180,10 +179,11 @@ double NetworkTrainer::merit(const TrainingState& state) const noexcept {
   return std::isnan(rmse) ? std::numeric_limits<double>::infinity() : rmse;
 }
 
-Termination training_end(const TrainingState& state) {
+Ending training_end(const TrainingState& state) {
   const Termination& end = state.termination;
-  if (end.cause != Cause::stalled || !state.rests_at_minimum) return end;
-  return {.cause = Cause::converged, .reason = fmt::format("nothing is left to gain: {}", end.reason)};
+  if (end.cause != Cause::stalled || !state.rests_at_minimum) return ending_of(end);
+  return {.status = EndingStatus::converged,
+          .parts = {{.code = EndingCode::nothing_left, .parts = ending_parts(end)}}};
 }
 
 std::vector<double> with_solved_output_layer(const PerceptronShape& shape, const Samples& samples,

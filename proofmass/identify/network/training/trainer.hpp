@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "proofmass/core/ending.hpp"
 #include "proofmass/identify/network/training/options.hpp"
 #include "proofmass/numeric/network/perceptron.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
@@ -83,7 +84,7 @@ class NetworkTrainer {
 };
 
 // Why the training of a network ended. One that rests at a minimum has converged: nothing is left to gain.
-[[nodiscard]] Termination training_end(const TrainingState& state);
+[[nodiscard]] Ending training_end(const TrainingState& state);
 
 // Output weights that fit the samples best with the hidden weights given, appended to them; then those of the
 // further columns.

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/network/scaling.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
+#include "support/endings.hpp"
 #include "support/networks.hpp"
 #include "support/twin.hpp"
 
@@ -82,9 +84,9 @@ TEST(VariableProjection, IsPerturbedUntilThatNoLongerHelps) {
   EXPECT_NEAR(whole.training_rmse, rmse(whole.weights, data.samples), 1e-9 * whole.training_rmse);
   EXPECT_EQ(whole.training_curve.back(), whole.training_rmse);
 
-  const std::string reason = whole.termination.reason;
+  const std::string reason = test::said(ending_of(whole.termination));
   trainer.train(whole, 100, test::always);
-  EXPECT_EQ(whole.termination.reason, reason);
+  EXPECT_EQ(test::said(ending_of(whole.termination)), reason);
 
   // Validation rows stop training in another way.
   const NetworkTrainer watched(kShape, data.samples, &data.validation, options);
@@ -99,7 +101,7 @@ TEST_P(EachTrainer, StopsEarlyAndKeepsTheBestValidationWeights) {
   trainer.train(state, 1000, test::always);
   EXPECT_TRUE(state.finished);
   EXPECT_EQ(state.termination.cause, Cause::stopped);
-  EXPECT_THAT(state.termination.reason, HasSubstr("did not improve in 6 epochs"));
+  EXPECT_THAT(test::said(ending_of(state.termination)), HasSubstr("did not improve in 6 epochs"));
 
   const auto& curve = state.validation_curve;
   const auto best = std::min_element(curve.begin(), curve.end());
@@ -167,7 +169,7 @@ TEST(VariableProjection, IsPolishedFromWhereItRests) {
   state = rested;
   trainer.polish(state, 3000, test::always);
   EXPECT_EQ(state.termination.cause, Cause::stalled);
-  EXPECT_THAT(state.termination.reason, HasSubstr("the last 2 without gain"));
+  EXPECT_THAT(test::said(ending_of(state.termination)), HasSubstr("the last 2 without gain"));
   state = rested;
   trainer.polish(state, 3000, [] { return false; });
   EXPECT_EQ(state.epochs, rested.epochs + 1);
@@ -210,7 +212,7 @@ TEST(TextbookTrainer, EndsAtTheGradientAndTheDampingAsked) {
   content.train(state, 10, test::always);
   EXPECT_EQ(state.epochs, 0U);
   EXPECT_TRUE(state.finished);
-  EXPECT_THAT(state.termination.reason, HasSubstr("gradient"));
+  EXPECT_THAT(test::said(ending_of(state.termination)), HasSubstr("gradient"));
 
   options.minimum_gradient = 0.0;
   options.mu = 2.0;
@@ -219,7 +221,7 @@ TEST(TextbookTrainer, EndsAtTheGradientAndTheDampingAsked) {
   state = damped.start(random_start(kShape, Trainer::lm, 1, 0));
   damped.train(state, 10, test::always);
   EXPECT_EQ(state.epochs, 0U);
-  EXPECT_THAT(state.termination.reason, HasSubstr("damping"));
+  EXPECT_THAT(test::said(ending_of(state.termination)), HasSubstr("damping"));
 }
 
 TEST(SolvedOutputLayer, IsTheBestThereIs) {
