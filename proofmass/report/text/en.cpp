@@ -5,6 +5,7 @@
 
 #include "proofmass/report/text/en_diagnosis.hpp"
 #include "proofmass/report/text/sentence.hpp"
+#include "proofmass/report/text/templates_internal.hpp"
 
 namespace proofmass {
 namespace {
@@ -316,6 +317,12 @@ std::string_view phrase(std::string_view figure, std::string_view word) noexcept
 }
 
 }  // namespace
+
+std::string_view english_template(Code code) noexcept { return sentence(code); }
+std::string_view english_scale_of_few_rows() noexcept { return kScaleOfFewRows; }
+std::string_view english_phrase(std::string_view figure, std::string_view word) noexcept {
+  return phrase(figure, word);
+}
 
 std::string english(const Finding& finding) {
   const bool few_rows = finding.code == Code::scale_doubtful && has_figure(finding, "spare");

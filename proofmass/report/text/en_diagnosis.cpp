@@ -4,14 +4,11 @@
 
 #include <array>
 
+#include "proofmass/report/text/templates_internal.hpp"
+
 namespace proofmass {
 namespace {
 
-struct NamedPhrase {
-  std::string_view figure;
-  std::string_view word;
-  std::string_view phrase;
-};
 constexpr std::string_view kRows =
     "a few rows are far off, the others are not. Use the method robust, and look at the rows that it "
     "suspects";
@@ -124,6 +121,8 @@ constexpr std::array kPhrases{
     NamedPhrase{"which", "smallest", "smallest"}};
 
 }  // namespace
+
+std::span<const NamedPhrase> english_diagnosis_phrases() noexcept { return kPhrases; }
 
 std::string_view english_diagnosis(Code code) noexcept {
   switch (code) {
