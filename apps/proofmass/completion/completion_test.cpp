@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofmass/report/terminal/wrapped_text.hpp"
+#include "proofmass/report/text/display_width.hpp"
 #include "support/command_line.hpp"
 
 namespace proofmass::test {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/report/terminal/terminal.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +9,9 @@
 
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/terminal/comparison.hpp"
+#include "proofmass/report/terminal/terminal.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
-#include "proofmass/report/terminal/wrapped_text.hpp"
+#include "proofmass/report/text/display_width.hpp"
 
 namespace proofmass {
 namespace {

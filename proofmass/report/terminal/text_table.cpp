@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "proofmass/report/terminal/wrapped_text.hpp"
+#include "proofmass/report/text/display_width.hpp"
 
 namespace proofmass {
 namespace {
