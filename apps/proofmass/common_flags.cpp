@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <ctime>
@@ -16,6 +18,7 @@ namespace proofmass::cli {
 namespace {
 
 constexpr std::uint64_t kMostThreads = 1024;
+constexpr std::array kLanguageWords{Word<Language>{"en", Language::en}, Word<Language>{"zh", Language::zh}};
 
 }  // namespace
 
@@ -43,6 +46,23 @@ void add_common(CLI::App& verb, CommonFlags& flags) {
 
 void add_wide(CLI::App& verb, CommonFlags& flags) {
   verb.add_flag("--wide", flags.wide, "Tables with all their columns, however wide the terminal is");
+}
+
+void add_language(CLI::App& verb, CommonFlags& flags) {
+  const auto take = [&flags](const std::string& text) {
+    const auto* const word = std::find_if(kLanguageWords.begin(), kLanguageWords.end(),
+                                          [&text](const Word<Language>& one) { return one.text == text; });
+    if (word == kLanguageWords.end()) {
+      throw usage_error(
+          fmt::format("--lang: found '{}', expected one of {}", excerpt(text), list_of(kLanguageWords)));
+    }
+    flags.language = word->value;
+  };
+  verb.add_option_function<std::string>("--lang", take,
+                                        "Language of tables and findings: English or Chinese (default en); "
+                                        "files and errors stay in English")
+      ->type_name(list_of(kLanguageWords, "|"))
+      ->take_last();
 }
 
 CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help) {

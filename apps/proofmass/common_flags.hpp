@@ -8,18 +8,22 @@
 #include <string>
 
 #include "proofmass/identify/options/field.hpp"
+#include "proofmass/report/text/language.hpp"
 
 namespace proofmass::cli {
 
 struct CommonFlags {
   bool quiet = false;
-  std::size_t threads = 0;  // 0: one for every core
-  bool wide = false;        // tables as wide as they are
+  std::size_t threads = 0;           // 0: one for every core
+  bool wide = false;                 // tables as wide as they are
+  Language language = Language::en;  // of tables and of what was found
 };
 
 void add_common(CLI::App& verb, CommonFlags& flags);
 // For verbs that print tables.
 void add_wide(CLI::App& verb, CommonFlags& flags);
+// For verbs that say what was found.
+void add_language(CLI::App& verb, CommonFlags& flags);
 // An option that names a file or folder: its name must not be empty.
 CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help);
 void add_json(CLI::App& verb, std::string& path);

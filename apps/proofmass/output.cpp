@@ -48,13 +48,16 @@ void print(std::string_view text) {
   }
 }
 
-TerminalStyle terminal_style(bool wide) {
+TerminalStyle terminal_style(bool wide, Language language) {
   const char* const no_colour = std::getenv("NO_COLOR");
   const bool refused = no_colour != nullptr && *no_colour != '\0';
   const bool terminal = isatty(STDOUT_FILENO) == 1;
   const std::size_t width =
       terminal ? std::max(terminal_columns(STDOUT_FILENO).value_or(kUsualWidth), kLeastWidth) : kUsualWidth;
-  return {.colour = !refused && terminal, .width = wide ? 0 : width, .more_columns = "--wide"};
+  return {.colour = !refused && terminal,
+          .width = wide ? 0 : width,
+          .more_columns = "--wide",
+          .language = language};
 }
 
 OutputFiles::~OutputFiles() {

@@ -28,7 +28,7 @@ void print(std::string_view text);
 
 // Colour on standard output: only on a terminal, and not when NO_COLOR is set (no-color.org). Lines are as
 // long as the terminal is wide, 80 columns elsewhere, and of any length when `wide`.
-[[nodiscard]] TerminalStyle terminal_style(bool wide);
+[[nodiscard]] TerminalStyle terminal_style(bool wide, Language language = Language::en);
 
 // Files that appear once every one of them is complete and standard output has taken its text; until then,
 // none does. A failure or an interruption before that leaves neither temporary files nor new folders.

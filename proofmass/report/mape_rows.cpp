@@ -24,20 +24,25 @@ void MapeRows::add(std::string_view part, const std::optional<Metrics>& metrics)
   known->leaves_out = known->leaves_out || metrics->mape_rows < metrics->n;
 }
 
-std::string MapeRows::text() const {
-  const auto counted = [](const Counts& counts) {
-    return counts.least == counts.most ? fmt::format("{}", counts.most)
-                                       : fmt::format("{} to {}", counts.least, counts.most);
+std::string MapeRows::text(Language language) const {
+  constexpr Words kTo{"{} to {}", "{} 至 {}"};
+  constexpr Words kComma{", ", "、"};
+  constexpr Words kPart{"{0} of {1} {2} rows", "{2} {1} 行中的 {0} 行"};
+  constexpr Words kAll{"MAPE leaves out outputs below {:g} % of their range: it is over {}",
+                       "MAPE 不计小于输出范围 {:g} % 的输出：只统计{}"};
+  const auto counted = [&](const Counts& counts) {
+    return counts.least == counts.most
+               ? fmt::format("{}", counts.most)
+               : fmt::format(fmt::runtime(kTo.in(language)), counts.least, counts.most);
   };
   std::string parts;
   for (const Part& part : parts_) {
     if (!part.leaves_out) continue;
-    parts += fmt::format("{}{} of {} {} rows", parts.empty() ? "" : ", ", counted(part.used),
-                         counted(part.rows), part.name);
+    if (!parts.empty()) parts += kComma.in(language);
+    parts += fmt::format(fmt::runtime(kPart.in(language)), counted(part.used), counted(part.rows), part.name);
   }
   if (parts.empty()) return {};
-  return fmt::format("MAPE leaves out outputs below {:g} % of their range: it is over {}", 100.0 * kMapeFloor,
-                     parts);
+  return fmt::format(fmt::runtime(kAll.in(language)), 100.0 * kMapeFloor, parts);
 }
 
 }  // namespace proofmass

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofmass/core/identification.hpp"
+#include "proofmass/report/text/language.hpp"
 
 namespace proofmass {
 
@@ -18,7 +19,7 @@ class MapeRows {
   void add(std::string_view part, const std::optional<Metrics>& metrics);
   // "MAPE leaves out outputs below 1 % of their range: it is over 68 of 70 training rows"; empty where it
   // leaves out none.
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text(Language language = Language::en) const;
 
  private:
   struct Counts {

@@ -103,9 +103,10 @@ void run_compare(const CompareFlags& flags) {
   }
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(comparison));
-  if (!flags.report.empty()) files.add(flags.report, render_report(comparison, {.date = today()}));
-  if (flags.json != "-" && flags.report != "-")
-    files.add("-", render_comparison(comparison, terminal_style(flags.common.wide)));
+  const ReportStyle page{.language = flags.common.language, .date = today()};
+  if (!flags.report.empty()) files.add(flags.report, render_report(comparison, page));
+  const TerminalStyle style = terminal_style(flags.common.wide, flags.common.language);
+  if (flags.json != "-" && flags.report != "-") files.add("-", render_comparison(comparison, style));
   files.commit();
 }
 
@@ -127,6 +128,7 @@ Action add_compare(CLI::App& verb) {
   add_json(verb, flags->json);
   add_report_file(verb, flags->report);
   add_wide(verb, flags->common);
+  add_language(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

@@ -59,9 +59,9 @@ std::string history(const Identification& result) {
   return text.str();
 }
 
-std::string report(const Run& run, const Dataset& record) {
+std::string report(const Run& run, const Dataset& record, Language language) {
   const RecordFigures figures = record_figures(record, run.split, run.identification);
-  return render_report(run, &figures, {.date = today()});
+  return render_report(run, &figures, {.language = language, .date = today()});
 }
 
 void write_result(const Run& run, const Dataset& record, const VerbFlags& flags) {
@@ -75,9 +75,9 @@ void write_result(const Run& run, const Dataset& record, const VerbFlags& flags)
     files.add(folder / "predictions.csv", predictions(run, record));
     files.add(folder / "history.csv", history(run.identification));
   }
-  if (!flags.report.empty()) files.add(flags.report, report(run, record));
-  if (flags.json != "-" && flags.report != "-")
-    files.add("-", render_table(run.identification, terminal_style(flags.common.wide)));
+  if (!flags.report.empty()) files.add(flags.report, report(run, record, flags.common.language));
+  const TerminalStyle style = terminal_style(flags.common.wide, flags.common.language);
+  if (flags.json != "-" && flags.report != "-") files.add("-", render_table(run.identification, style));
   files.commit();
 }
 
@@ -118,6 +118,7 @@ Action add_identify(CLI::App& verb) {
   add_path(verb, "--out", flags->out, "Write result.json, predictions.csv and history.csv to the folder DIR")
       ->type_name("DIR");
   add_wide(verb, flags->common);
+  add_language(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

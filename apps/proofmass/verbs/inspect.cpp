@@ -30,7 +30,8 @@ void run_inspect(const InspectFlags& flags) {
   progress.clear();
   OutputFiles files;
   if (!flags.json.empty()) files.add(flags.json, to_json(inspection));
-  if (flags.json != "-") files.add("-", render_inspection(inspection, terminal_style(flags.common.wide)));
+  const TerminalStyle style = terminal_style(flags.common.wide, flags.common.language);
+  if (flags.json != "-") files.add("-", render_inspection(inspection, style));
   files.commit();
 }
 
@@ -41,6 +42,7 @@ Action add_inspect(CLI::App& verb) {
   add_record(verb, flags->record, "RUN.csv", "The test record; - is standard input");
   add_json(verb, flags->json);
   add_wide(verb, flags->common);
+  add_language(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common_flags.hpp"
@@ -16,7 +17,8 @@
 #include "proofmass/identify/method.hpp"
 #include "proofmass/report/csv.hpp"
 #include "proofmass/report/json/json.hpp"
-#include "proofmass/report/text/en.hpp"
+#include "proofmass/report/terminal/terminal_words.hpp"
+#include "proofmass/report/text/findings.hpp"
 #include "record_flags.hpp"
 #include "verbs/verbs.hpp"
 
@@ -41,13 +43,13 @@ void require_finite(const std::vector<double>& outputs, const Dataset& inputs) {
 }
 
 // A word to standard error, for standard output is the prediction.
-void say(const Finding& finding) {
-  std::fputs(fmt::format("proofmass: {}: {}\n", to_string(finding.severity), english(finding)).c_str(),
-             stderr);
+void say(const Finding& finding, Language language) {
+  const std::string_view severity = severity_words(finding.severity).in(language);
+  std::fputs(fmt::format("proofmass: {}{}\n", severity, sentence(finding, language)).c_str(), stderr);
 }
 
-void warn_of_extrapolation(const Identification& fit, const Dataset& inputs) {
-  if (const auto finding = find_extrapolation(fit, inputs)) say(*finding);
+void warn_of_extrapolation(const Identification& fit, const Dataset& inputs, Language language) {
+  if (const auto finding = find_extrapolation(fit, inputs)) say(*finding, language);
 }
 
 void run_predict(const PredictFlags& flags) {
@@ -65,8 +67,8 @@ void run_predict(const PredictFlags& flags) {
   std::ostringstream text;
   const std::vector<double> outputs = predict(fit, inputs);
   require_finite(outputs, inputs);
-  for (const Finding& finding : inputs.findings) say(finding);
-  warn_of_extrapolation(fit, inputs);
+  for (const Finding& finding : inputs.findings) say(finding, flags.common.language);
+  warn_of_extrapolation(fit, inputs, flags.common.language);
   write_forecast(text, inputs, outputs, fit.output_unit);
   OutputFiles files;
   files.add(flags.out, text.view());
@@ -81,6 +83,7 @@ Action add_predict(CLI::App& verb) {
   add_record(verb, flags->inputs, "INPUTS.csv", "Accelerations, a row each; - is standard input");
   add_path(verb, "--out", flags->out, "The predictions to write; -, the default, is standard output")
       ->type_name("FILE");
+  add_language(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

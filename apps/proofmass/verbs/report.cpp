@@ -87,7 +87,7 @@ void run_report(const ReportFlags& flags) {
     figures = record_figures(*found.record, split_again(*found.record, run), run.identification);
   const RecordFigures* const shown = figures ? &*figures : nullptr;
   OutputFiles files;
-  files.add(flags.out, render_report(run, shown, {.date = today()}, found.why));
+  files.add(flags.out, render_report(run, shown, {.language = flags.common.language, .date = today()}, found.why));
   files.commit();
 }
 
@@ -102,6 +102,7 @@ Action add_report(CLI::App& verb) {
   add_path(verb, "--out", flags->out, "The report to write; - is standard output")
       ->type_name("FILE")
       ->required();
+  add_language(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

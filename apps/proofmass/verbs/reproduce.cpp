@@ -48,7 +48,7 @@ void run_reproduce(const ReproduceFlags& flags) {
     for (const NamedText& file : reproduction_files(made))
       files.add(fs::path(flags.out) / file.name, file.text);
   }
-  if (!flags.report.empty()) files.add(flags.report, render_report(made, {.date = today()}));
+  if (!flags.report.empty()) files.add(flags.report, render_report(made, {.language = flags.common.language, .date = today()}));
   if (flags.report != "-") files.add("-", render_reproduction(made));
   files.commit();
 }
@@ -71,6 +71,7 @@ Action add_reproduce(CLI::App& verb) {
   verb.add_flag("--quick", flags->quick, "One repeat of everything, two records for BP against PSO-BP");
   add_whole(verb, "--seed", 0, 1'000'000'000, "Seed of record, split and draws (default 1)",
             [flags](std::uint64_t n) { flags->seed = n; });
+  add_language(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

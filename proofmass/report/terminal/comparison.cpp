@@ -9,12 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "proofmass/core/text.hpp"
 #include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
+#include "proofmass/report/terminal/terminal_words.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
+#include "proofmass/report/terminal/with_figures_internal.hpp"
 
 namespace proofmass {
 namespace {
@@ -43,10 +44,13 @@ std::string optional_text(const std::optional<double>& value) {
   return value ? significant_text(*value, 3) : "-";
 }
 
-std::string coefficient_text(const Run& run, Term term) {
+std::string coefficient_text(const Run& run, Term term, Language language) {
   for (const Coefficient& c : run.identification.coefficients) {
     if (c.term != term) continue;
-    if (!c.identified) return c.left_out ? "left out" : "unidentifiable";
+    if (!c.identified) {
+      const Words why = c.left_out ? Words{"left out", "未选入"} : Words{"unidentifiable", "不可辨识"};
+      return std::string(why.in(language));
+    }
     if (!c.standard_error) return significant_text(c.value, 7);
     return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
                        significant_text(*c.standard_error, 2));
@@ -55,8 +59,8 @@ std::string coefficient_text(const Run& run, Term term) {
 }
 
 void write_coefficients(TerminalText& out, const Comparison& comparison) {
-  std::vector<std::string> header{"term"};
-  if (comparison.truth) header.emplace_back("truth");
+  std::vector<std::string> header{out.in({"term", "项"})};
+  if (comparison.truth) header.push_back(out.in({"truth", "真值"}));
   std::vector<Term> terms;
   for (const Contestant& c : comparison.contestants) {
     header.push_back(c.method);
@@ -69,12 +73,14 @@ void write_coefficients(TerminalText& out, const Comparison& comparison) {
   for (const Term term : terms) {
     std::vector<std::string> row{std::string(name(term))};
     if (comparison.truth) row.push_back(fmt::format("{:.7g}", comparison.truth->coefficient(term)));
-    for (const Contestant& c : comparison.contestants) row.push_back(coefficient_text(c.runs.front(), term));
+    for (const Contestant& c : comparison.contestants)
+      row.push_back(coefficient_text(c.runs.front(), term, out.language()));
     table.add(std::move(row));
   }
   const Unit& unit = comparison.contestants.front().runs.front().identification.output_unit;
   out.heading(
-      fmt::format("Coefficients, in {} per g^order, seed {}", unit.canonical_symbol(), comparison.seed));
+      with_figures({"Coefficients, in {} per g^order, seed {}", "系数，单位 {} / g^阶次，随机种子 {}"},
+                   out.language(), unit.canonical_symbol(), comparison.seed));
   out.table(table);
 }
 
@@ -82,41 +88,49 @@ void write_mape_rows(TerminalText& out, const Comparison& comparison) {
   MapeRows rows;
   for (const Contestant& c : comparison.contestants) {
     for (const Run& run : c.runs) {
-      rows.add("training", run.identification.train);
-      rows.add("test", run.identification.test);
+      rows.add(out.in({"training", "训练集"}), run.identification.train);
+      rows.add(out.in({"test", "测试集"}), run.identification.test);
     }
   }
-  if (const std::string text = rows.text(); !text.empty()) out.line(text);
+  if (const std::string text = rows.text(out.language()); !text.empty()) out.line(text);
 }
 
 void write_metrics(TerminalText& out, const Comparison& comparison) {
-  TextTable table({"method", "part", "MAE", "MSE", "RMSE", "MAPE %", "R²"});
+  TextTable table(
+      {out.in({"method", "方法"}), out.in({"part", "数据"}), "MAE", "MSE", "RMSE", "MAPE %", "R²"});
   for (const Contestant& c : comparison.contestants) {
-    const auto add = [&table, &c](const char* part, const std::optional<MetricSpreads>& m) {
+    const auto add = [&](const Words& part, const std::optional<MetricSpreads>& m) {
       if (!m) return;
-      table.add({c.method, part, spread_text(m->mae), spread_text(m->mse), spread_text(m->rmse),
+      table.add({c.method, out.in(part), spread_text(m->mae), spread_text(m->mse), spread_text(m->rmse),
                  spread_text(m->mape_percent, 4), determination_spread(m->r2)});
     };
-    add("train", c.train);
-    add("test", c.test);
+    add(kTrainingPart, c.train);
+    add(kTestPart, c.test);
   }
   const Unit& unit = comparison.contestants.front().runs.front().identification.output_unit;
-  out.heading(fmt::format("Errors, in {}, {}", unit.symbol, amount_text(comparison.repeats, "repeat")));
+  const std::string repeats = amount(comparison.repeats, {"repeat", "次重复"}, out.language());
+  out.heading(with_figures({"Errors, in {}, {}", "误差，单位 {}，{}"}, out.language(), unit.symbol, repeats));
   out.table(table);
   write_mape_rows(out, comparison);
 }
 
 void write_costs(TerminalText& out, const Comparison& comparison) {
   const Contestant& first = comparison.contestants.front();
-  TextTable table({"method", "iterations", "ratio", "time, s", "time ratio", "test MSE ratio", "ended"},
+  TextTable table(header_in(out.language(), {{"method", "方法"},
+                                             {"iterations", "迭代次数"},
+                                             {"ratio", "比值"},
+                                             {"time, s", "时间，s"},
+                                             {"time ratio", "时间比"},
+                                             {"test MSE ratio", "测试 MSE 比"},
+                                             {"ended", "终止"}}),
                   Left::last_too);
   for (const Contestant& c : comparison.contestants) {
     const CostRatios ratios = ratios_to(first, c);
     table.add({c.method, count_text(c.iterations), optional_text(ratios.iterations), spread_text(c.time, 3),
                optional_text(ratios.time), optional_text(ratios.test_mse),
-               std::string(to_string(c.runs.front().identification.ending.status))});
+               out.in(status_words(c.runs.front().identification.ending.status))});
   }
-  out.heading(fmt::format("Cost, ratios to {}", first.method));
+  out.heading(with_figures({"Cost, ratios to {}", "计算量，与 {} 之比"}, out.language(), first.method));
   out.table(table);
 }
 
@@ -124,7 +138,11 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
   const bool known = std::any_of(comparison.contestants.begin(), comparison.contestants.end(),
                                  [](const Contestant& c) { return c.truth.has_value(); });
   if (!known) return;
-  TextTable table({"method", "rms error / std. error", "rms error / bound", "largest error", "of"},
+  TextTable table(header_in(out.language(), {{"method", "方法"},
+                                             {"rms error / std. error", "均方根误差 / 标准误差"},
+                                             {"rms error / bound", "均方根误差 / 下界"},
+                                             {"largest error", "最大误差"},
+                                             {"of", "所在项"}}),
                   Left::last_too);
   for (const Contestant& c : comparison.contestants) {
     if (!c.truth) continue;
@@ -132,7 +150,8 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
                optional_text(c.truth->rms_over_bound), significant_text(c.truth->largest_error, 3),
                std::string(name(c.truth->largest_term))});
   }
-  out.heading("Distance from the truth, over terms and repeats (1 is what noise explains)");
+  out.heading(out.in({"Distance from the truth, over terms and repeats (1 is what noise explains)",
+                      "与真值的偏差，统计各项和各次重复（1 为噪声所能解释的大小）"}));
   out.table(table);
 }
 
@@ -142,16 +161,16 @@ struct Occurrence {
   std::size_t repeats = 0;
 };
 
-std::string_view heading_of(Severity severity) {
+Words heading_of(Severity severity) {
   switch (severity) {
     case Severity::warning:
-      return "Warnings on";
+      return {"Warnings on {}", "{} 的警告"};
     case Severity::note:
-      return "Notes on";
+      return {"Notes on {}", "{} 的说明"};
     case Severity::basis:
-      return "Basis of";
+      return {"Basis of {}", "{} 的依据"};
   }
-  return "";
+  return {};
 }
 
 void write_method_findings(TerminalText& out, const Contestant& contestant, Severity severity) {
@@ -169,12 +188,12 @@ void write_method_findings(TerminalText& out, const Contestant& contestant, Seve
     }
   }
   if (said.empty()) return;
-  out.heading(fmt::format("{} {}", heading_of(severity), contestant.method));
+  out.heading(with_figures(heading_of(severity), out.language(), contestant.method));
   for (const Occurrence& occurrence : said) {
-    const bool always = occurrence.repeats == contestant.runs.size();
-    write_finding(
-        out, occurrence.finding,
-        always ? "" : fmt::format(" ({} of {} repeats)", occurrence.repeats, contestant.runs.size()));
+    const std::size_t all = contestant.runs.size();
+    const std::string how_often = with_figures({" ({0} of {1} repeats)", "（{1} 次重复中有 {0} 次）"},
+                                               out.language(), occurrence.repeats, all);
+    write_finding(out, occurrence.finding, occurrence.repeats == all ? "" : how_often);
   }
 }
 

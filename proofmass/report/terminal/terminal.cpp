@@ -8,15 +8,16 @@
 #include <span>
 #include <utility>
 
-#include "proofmass/core/text.hpp"
 #include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/readable_units.hpp"
 #include "proofmass/report/terminal/terminal_findings.hpp"
 #include "proofmass/report/terminal/terminal_text.hpp"
+#include "proofmass/report/terminal/terminal_words.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
-#include "proofmass/report/text/en.hpp"
+#include "proofmass/report/terminal/with_figures_internal.hpp"
 #include "proofmass/report/text/endings.hpp"
+#include "proofmass/report/text/findings.hpp"
 
 namespace proofmass {
 namespace {
@@ -65,42 +66,50 @@ std::vector<std::string> cells(const Coefficient& c, const Unit& output) {
 }
 
 void write_coefficients(TerminalText& out, std::span<const Coefficient> coefficients, const Unit& output) {
-  TextTable table({"term", "reads", "value", "std. error", "t", "p", "95 % interval"}, Left::second_too);
+  TextTable table(header_in(out.language(), {{"term", "项"},
+                                             {"reads", "常用单位"},
+                                             {"value", "值"},
+                                             {"std. error", "标准误差"},
+                                             {"t", "t"},
+                                             {"p", "p"},
+                                             {"95 % interval", "95 % 置信区间"}}),
+                  Left::second_too);
   for (const Coefficient& c : coefficients) {
     if (c.identified) table.add(cells(c, output));
   }
   out.first_columns(table);
   for (const Coefficient& c : coefficients) {
     if (!c.identified) {
+      const std::string why = c.reason ? reason(*c.reason, out.language()) : "";
       out.warning(
-          fmt::format("  {} not identified: {}", name(c.term), c.reason ? english_reason(*c.reason) : ""));
+          with_figures({"  {} not identified: {}", "  {} 不可辨识：{}"}, out.language(), name(c.term), why));
     }
   }
 }
 
 void write_mape_rows(TerminalText& out, const Identification& result) {
   MapeRows rows;
-  rows.add("training", result.train);
-  rows.add("validation", result.validation);
-  rows.add("test", result.test);
-  rows.add("left-out", result.leave_one_out);
-  if (const std::string text = rows.text(); !text.empty()) out.line(text);
+  rows.add(out.in({"training", "训练集"}), result.train);
+  rows.add(out.in({"validation", "验证集"}), result.validation);
+  rows.add(out.in({"test", "测试集"}), result.test);
+  rows.add(out.in({"left-out", "留一法"}), result.leave_one_out);
+  if (const std::string text = rows.text(out.language()); !text.empty()) out.line(text);
 }
 
 void write_metrics(TerminalText& out, const Identification& result) {
-  TextTable table({"part", "rows", "RMSE", "MAE", "R²", "MAPE %", "MSE"});
-  const auto add = [&table](const char* part, const std::optional<Metrics>& m) {
+  TextTable table({out.in({"part", "数据"}), out.in({"rows", "行数"}), "RMSE", "MAE", "R²", "MAPE %", "MSE"});
+  const auto add = [&](const Words& part, const std::optional<Metrics>& m) {
     if (!m) return;
-    table.add({part, std::to_string(m->n), significant_text(m->rmse, 5), significant_text(m->mae, 5),
+    table.add({out.in(part), std::to_string(m->n), significant_text(m->rmse, 5), significant_text(m->mae, 5),
                m->r2 ? determination_text(*m->r2) : "-", optional_text(m->mape_percent, 4),
                significant_text(m->mse, 5)});
   };
-  add("train", result.train);
-  add("validation", result.validation);
-  add("test", result.test);
-  add("leave one out", result.leave_one_out);
-  add("leave one mount out", result.leave_one_mount_out);
-  out.heading(fmt::format("Errors, in {}", result.output_unit.symbol));
+  add(kTrainingPart, result.train);
+  add(kValidationPart, result.validation);
+  add(kTestPart, result.test);
+  add(kLeaveOneOut, result.leave_one_out);
+  add(kLeaveOneMountOut, result.leave_one_mount_out);
+  out.heading(with_figures({"Errors, in {}", "误差，单位 {}"}, out.language(), result.output_unit.symbol));
   out.first_columns(table);
   write_mape_rows(out, result);
 }
@@ -110,10 +119,13 @@ void write_suspects(TerminalText& out, const std::vector<SuspectRow>& suspects, 
   constexpr std::size_t most = 10;
   if (suspects.empty()) return;
   const std::size_t shown = std::min(most, suspects.size());
-  out.heading(fmt::format("Suspect rows: {}{}", suspects.size(),
-                          shown < suspects.size() ? fmt::format(", the first {} here", shown) : ""));
-  TextTable table(
-      {suspects.front().line ? "line" : "row", "residual, " + output.symbol, "over scale", "weight"});
+  std::string heading = with_figures({"Suspect rows: {}", "可疑行：{}"}, out.language(), suspects.size());
+  if (shown < suspects.size())
+    heading += with_figures({", the first {} here", "，以下为前 {} 行"}, out.language(), shown);
+  out.heading(heading);
+  TextTable table({suspects.front().line ? out.in({"line", "行号"}) : out.in({"row", "行序"}),
+                   with_figures({"residual, {}", "残差，{}"}, out.language(), output.symbol),
+                   out.in({"over scale", "与尺度之比"}), out.in({"weight", "权"})});
   for (std::size_t k = 0; k < shown; ++k) {
     const SuspectRow& s = suspects[k];
     table.add({std::to_string(s.line.value_or(s.row)), significant_text(to_declared(s.residual, output), 5),
@@ -124,65 +136,88 @@ void write_suspects(TerminalText& out, const std::vector<SuspectRow>& suspects, 
 
 void write_hidden_search(TerminalText& out, const std::vector<HiddenTrial>& trials, const Unit& output) {
   if (trials.empty()) return;
-  out.heading(fmt::format("Hidden units: RMSE on rows set aside, {}, in {}",
-                          amount_text(trials.front().validation_rmse.size(), "repeat"), output.symbol));
-  TextTable table({"hidden", "weights", "mean", "best", "spread", ""});
+  const std::string repeats =
+      amount(trials.front().validation_rmse.size(), {"repeat", "次重复"}, out.language());
+  out.heading(with_figures(
+      {"Hidden units: RMSE on rows set aside, {}, in {}", "隐层单元数：留出行的 RMSE，{}，单位 {}"},
+      out.language(), repeats, output.symbol));
+  TextTable table(header_in(out.language(), {{"hidden", "单元数"},
+                                             {"weights", "权值数"},
+                                             {"mean", "平均"},
+                                             {"best", "最优"},
+                                             {"spread", "离散"},
+                                             {"", ""}}));
   for (const HiddenTrial& trial : trials) {
     table.add({std::to_string(trial.hidden), std::to_string(trial.weights), significant_text(trial.mean, 5),
                significant_text(trial.best, 5), significant_text(trial.spread, 3),
-               trial.chosen ? "chosen" : ""});
+               trial.chosen ? out.in({"chosen", "选定"}) : ""});
   }
   out.table(table);
-  out.line("chosen: the fewest units within one standard error of the least mean");
+  out.line(out.in({"chosen: the fewest units within one standard error of the least mean",
+                   "选定：平均值与最小者相差不超过一倍标准误差的最少单元数"}));
 }
 
 // One line of the figures that there are.
 class FigureLine {
  public:
-  explicit FigureLine(const Unit& output) : output_(output) {}
-  void number(const char* label, const std::optional<double>& value) {
-    if (value) figures_.push_back(fmt::format("{} {:.5g}", label, *value));
+  FigureLine(const Unit& output, Language language) : output_(output), language_(language) {}
+  void number(const Words& label, const std::optional<double>& value) {
+    if (value) add(fmt::format("{} {:.5g}", label.in(language_), *value));
   }
-  void count(const char* label, const std::optional<std::size_t>& value) {
-    if (value) figures_.push_back(fmt::format("{} {}", label, *value));
+  void count(const Words& label, const std::optional<std::size_t>& value) {
+    if (value) add(fmt::format("{} {}", label.in(language_), *value));
   }
-  void output(const char* label, const std::optional<double>& value) {
-    if (value) {
-      figures_.push_back(fmt::format("{} {:.5g} {}", label, to_declared(*value, output_), output_.symbol));
-    }
+  void output(const Words& label, const std::optional<double>& value) {
+    if (value)
+      add(fmt::format("{} {:.5g} {}", label.in(language_), to_declared(*value, output_), output_.symbol));
   }
-  void text(std::string figure) { figures_.push_back(std::move(figure)); }
-  [[nodiscard]] std::string text() const { return fmt::format("{}", fmt::join(figures_, "; ")); }
+  void text(const Words& label, const std::string& figure) {
+    add(fmt::format("{} {}", label.in(language_), figure));
+  }
+  // {:.5g} stands for the figure.
+  void phrase(const Words& words, double figure) { add(with_figures(words, language_, figure)); }
+  [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  void add(const std::string& figure) {
+    if (!text_.empty()) text_ += Words{"; ", "；"}.in(language_);
+    text_ += figure;
+  }
   const Unit& output_;
-  std::vector<std::string> figures_;
+  Language language_;
+  std::string text_;
 };
 
 void add(FigureLine&, const std::monostate&) {}
 void add(FigureLine& line, const NetworkDetails& details) {
-  line.number("saturated fraction", details.saturated_fraction);
-  line.output("deviation induced by the network", details.induced_deviation);
-  line.count("training epochs", details.training_epochs);
-  line.count("swarm evaluations", details.swarm_evaluations);
+  line.number({"saturated fraction", "饱和比例"}, details.saturated_fraction);
+  line.output({"deviation induced by the network", "网络引起的偏差"}, details.induced_deviation);
+  line.count({"training epochs", "训练轮次"}, details.training_epochs);
+  line.count({"swarm evaluations", "群体计算次数"}, details.swarm_evaluations);
 }
-void add(FigureLine& line, const RobustDetails& details) { line.output("robust scale", details.scale); }
-void add(FigureLine& line, const GmdhDetails& details) { line.count("models tried", details.models_tried); }
+void add(FigureLine& line, const RobustDetails& details) {
+  line.output({"robust scale", "稳健尺度"}, details.scale);
+}
+void add(FigureLine& line, const GmdhDetails& details) {
+  line.count({"models tried", "试算模型数"}, details.models_tried);
+}
 void add(FigureLine& line, const AfsaDetails& details) {
-  line.count("swarm evaluations", details.swarm_evaluations);
-  line.text(fmt::format("rms residual {:.5g} times that of least squares", details.optimum_rmse_ratio));
-  line.text(fmt::format("coefficients at most {:.5g} standard errors from those of least squares",
-                        details.optimum_distance));
+  line.count({"swarm evaluations", "群体计算次数"}, details.swarm_evaluations);
+  line.phrase({"rms residual {:.5g} times that of least squares", "均方根残差为最小二乘的 {:.5g} 倍"},
+              details.optimum_rmse_ratio);
+  line.phrase({"coefficients at most {:.5g} standard errors from those of least squares",
+               "系数与最小二乘解最多相差 {:.5g} 倍标准误差"},
+              details.optimum_distance);
 }
 
 void write_diagnostics(TerminalText& out, const Identification& result) {
   const Diagnostics& d = result.diagnostics;
-  FigureLine line(result.output_unit);
-  line.output("residual sd", d.residual_sd);
-  line.count("degrees of freedom", d.dof);
-  if (d.r2_adjusted) line.text("adjusted R² " + determination_text(*d.r2_adjusted));
-  line.number("condition number", d.condition_raw);
-  line.number("with scaled columns", d.condition_scaled);
+  FigureLine line(result.output_unit, out.language());
+  line.output({"residual sd", "残差标准差"}, d.residual_sd);
+  line.count({"degrees of freedom", "自由度"}, d.dof);
+  if (d.r2_adjusted) line.text({"adjusted R²", "调整 R²"}, determination_text(*d.r2_adjusted));
+  line.number({"condition number", "条件数"}, d.condition_raw);
+  line.number({"with scaled columns", "列归一化后"}, d.condition_scaled);
   std::visit([&line](const auto& details) { add(line, details); }, result.details);
   if (const std::string text = line.text(); !text.empty()) out.line(text);
 }
@@ -192,14 +227,15 @@ void write_diagnostics(TerminalText& out, const Identification& result) {
 std::string render_table(const Identification& result, const TerminalStyle& style) {
   TerminalText out(style);
   const Unit& output = result.output_unit;
-  out.heading(fmt::format("{}, model {}, seed {}", result.method, result.model, result.seed));
+  out.heading(with_figures({"{}, model {}, seed {}", "{}，模型 {}，随机种子 {}"}, out.language(),
+                           result.method, result.model, result.seed));
   write_findings(out, result.findings, Severity::warning);
   write_coefficients(out, result.coefficients, output);
   if (!output.is_acceleration()) {
     std::vector<Coefficient> referred = referred_to_input(result);
     std::erase_if(referred, [](const Coefficient& c) { return c.term == Term::Ki; });  // 1 by definition
     if (!referred.empty()) {
-      out.heading("Referred to input (divided by Ki)");
+      out.heading(out.in({"Referred to input (divided by Ki)", "折算到输入端（除以 Ki）"}));
       write_coefficients(out, referred, Unit{});
     }
   }
@@ -210,8 +246,8 @@ std::string render_table(const Identification& result, const TerminalStyle& styl
   if (const auto* robust = std::get_if<RobustDetails>(&result.details)) {
     write_suspects(out, robust->suspect_rows, output);
   }
-  out.heading(fmt::format("Ended: {}", to_string(result.ending.status)));
-  out.line(sentence(result.ending.parts, Language::en));
+  out.heading(out.in({"Ended: ", "终止："}) + out.in(status_words(result.ending.status)));
+  out.line(sentence(result.ending.parts, out.language()));
   write_diagnostics(out, result);
   write_findings(out, result.findings, Severity::note);
   write_findings(out, result.findings, Severity::basis);

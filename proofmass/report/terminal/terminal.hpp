@@ -6,6 +6,7 @@
 #include <string>
 
 #include "proofmass/core/run.hpp"
+#include "proofmass/report/text/language.hpp"
 
 namespace proofmass {
 
@@ -14,6 +15,7 @@ struct TerminalStyle {
   std::size_t width = 80;  // columns of a line; 0: any
   // What a reader can do to see columns that do not fit, as the program that shows the text has it.
   std::string more_columns{};
+  Language language = Language::en;
 };
 
 // Coefficients with their uncertainties, the terms that could not be identified and why, the metrics of each
@@ -21,7 +23,7 @@ struct TerminalStyle {
 // the coefficients referred to input follow.
 [[nodiscard]] std::string render_table(const Identification& result, const TerminalStyle& style = {});
 
-// The same of a run, without colour, in 80 columns.
+// The same of a run, without colour, in 80 columns, in English.
 [[nodiscard]] std::string summary(const Run& run);
 
 }  // namespace proofmass

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/terminal/terminal_findings.hpp"
 
-#include "proofmass/report/text/en.hpp"
+#include "proofmass/report/terminal/terminal_words.hpp"
+#include "proofmass/report/text/findings.hpp"
 
 namespace proofmass {
 
 void write_finding(TerminalText& out, const Finding& finding, std::string_view more) {
-  std::string text(to_string(finding.severity));
-  text.append(": ").append(english(finding)).append(more);
+  std::string text = out.in(severity_words(finding.severity));
+  text.append(sentence(finding, out.language())).append(more);
   if (finding.severity == Severity::warning) {
     out.warning(text);
   } else {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "proofmass/report/terminal/terminal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/terminal/comparison.hpp"
-#include "proofmass/report/terminal/terminal.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
 #include "proofmass/report/text/display_width.hpp"
 
@@ -161,6 +162,64 @@ TEST(Terminal, ColoursOnlyWhenAsked) {
   EXPECT_NE(render_table(result_in("g"), {.colour = true}).find("\x1b[33m"), std::string::npos);
 }
 
+// Every line, of every kind of table.
+Identification full_result(const char* unit) {
+  Identification r = result_in(unit);
+  r.test = r.leave_one_out = r.leave_one_mount_out = r.train;
+  r.train->mape_rows = 68;
+  r.diagnostics.residual_sd = 1e-6;
+  r.diagnostics.dof = 66;
+  r.diagnostics.r2_adjusted = 0.999;
+  r.diagnostics.condition_raw = 1e3;
+  r.diagnostics.condition_scaled = 1.5;
+  RobustDetails robust{.scale = 1e-6, .suspect_rows = {}};
+  for (std::size_t row = 1; row <= 12; ++row)
+    robust.suspect_rows.push_back({.row = row, .line = row + 1, .residual = 1e-5, .scaled_residual = 9.0});
+  r.details = std::move(robust);
+  r.findings = {
+      {.code = Code::rows_far_off,
+       .severity = Severity::warning,
+       .lines = {7, 9},
+       .figures =
+           {{"count", 2.0}, {"line", 7.0}, {"residual", 1e-3}, {"scale", 1e-6}, {"unit", std::string(unit)}}},
+      {.code = Code::scale_doubtful,
+       .severity = Severity::warning,
+       .figures = {{"over_shortest_half", 1.9}, {"quantile_ratio", 2.5}}},
+      {.code = Code::left_out_exactly},
+      {.code = Code::robust_errors_asymptotic}};
+  return r;
+}
+
+TEST(Terminal, SpeaksChinese) {
+  const std::string text = render_table(full_result("mA"), {.language = Language::zh});
+  for (const char* const part :
+       {"ols，模型 quadratic，随机种子 ", "警告：2 行偏离拟合过远", "标准误差", "Koq 不可辨识：与 Kii 混叠",
+        "折算到输入端（除以 Ki）", "误差，单位 mA", "训练集", "留一法", "MAPE 不计小于输出范围 1 % 的输出",
+        "可疑行：12，以下为前 10 行", "行号", "终止：直接求解", "由双倍工作精度的正规方程直接求解：70 行数据",
+        "残差标准差 1e-06 mA；自由度 66；调整 R²", "依据：全部数据行均参与拟合", "依据：标准误差为渐近值",
+        "80 列宽度内未显示：95 % 置信区间"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  }
+  for (const char* const english : {"warning", "rows", "term", "standard", "Ended", "not "}) {
+    EXPECT_EQ(text.find(english), std::string::npos) << english << " in\n" << text;
+  }
+}
+
+TEST(Terminal, KeepsToItsWidthInChinese) {
+  for (const char* const unit : {"g", "mA"}) {
+    for (const std::size_t width : {60U, 80U, 100U}) {
+      const std::string text = render_table(full_result(unit), {.width = width, .language = Language::zh});
+      EXPECT_LE(longest_line(text), width) << text;
+    }
+  }
+}
+
+TEST(Terminal, AlignsColumnsOverChinese) {
+  TextTable table({"项", "标准误差", "值"});
+  table.add({"Kii", "1", "22"});
+  EXPECT_EQ(table.lines(), (std::vector<std::string>{"  项   标准误差  值", "  Kii         1  22"}));
+}
+
 Contestant contestant_named(const std::string& name, const std::vector<Finding>& findings) {
   Contestant contestant;
   contestant.method = name;
@@ -194,6 +253,21 @@ TEST(TerminalComparison, ShowsWhatWasFoundOnTheRecordAndOnEachMethod) {
   for (const char* part : {"Warnings on least", "Warnings on silent", "Notes on silent"}) {
     EXPECT_EQ(text.find(part), std::string::npos) << part;
   }
+}
+
+TEST(TerminalComparison, SpeaksChineseInItsWidth) {
+  Comparison comparison;
+  comparison.repeats = 2;
+  comparison.contestants = {contestant_named("least", {{.code = Code::left_out_exactly}}),
+                            contestant_named("robust", {{.code = Code::robust_errors_asymptotic}})};
+  comparison.contestants.front().runs.back().identification.findings.clear();
+  const std::string text = render_comparison(comparison, {.language = Language::zh});
+  for (const char* const part :
+       {"系数，单位 g / g^阶次，随机种子 ", "误差，单位 g，2 次重复", "计算量，与 least 之比", "least 的依据",
+        "（2 次重复中有 1 次）", "robust 的依据", "不可辨识", "终止"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  }
+  EXPECT_LE(longest_line(text), 80U) << text;
 }
 
 TEST(TerminalComparison, SaysOverWhichRowsThePercentageErrorIs) {

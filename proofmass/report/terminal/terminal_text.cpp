@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/terminal/terminal_text.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
+#include "proofmass/report/terminal/terminal_words.hpp"
+#include "proofmass/report/terminal/with_figures_internal.hpp"
 #include "proofmass/report/terminal/wrapped_text.hpp"
 
 namespace proofmass {
@@ -55,8 +54,13 @@ void TerminalText::first_columns(const TextTable& table) {
   rows(fitting);
   if (fitting.columns() < table.columns()) {
     const auto names = table.header().subspan(fitting.columns());
-    const std::string how = style_.more_columns.empty() ? "" : fmt::format(" ({})", style_.more_columns);
-    line(fmt::format("not shown in {} columns: {}{}", style_.width, fmt::join(names, ", "), how));
+    const std::string how = style_.more_columns.empty()
+                                ? ""
+                                : with_figures({" ({})", "（{}）"}, style_.language, style_.more_columns);
+    std::string list;
+    for (const std::string& name : names) list.append(list.empty() ? "" : in({", ", "、"})).append(name);
+    line(with_figures({"not shown in {} columns: {}{}", "{} 列宽度内未显示：{}{}"}, style_.language,
+                      style_.width, list, how));
   }
 }
 

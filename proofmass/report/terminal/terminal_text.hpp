@@ -20,6 +20,8 @@ class TerminalText {
   // Its first columns alone, as far as the width goes; says so when there are more.
   void first_columns(const TextTable& table);
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
+  [[nodiscard]] Language language() const noexcept { return style_.language; }
+  [[nodiscard]] std::string in(const Words& words) const { return std::string(words.in(style_.language)); }
 
  private:
   void coloured(std::string_view escape, std::string_view text);
