@@ -9,7 +9,7 @@ class Program : public CommandLine {};
 
 TEST_F(Program, HelpsAndNamesItsVersion) {
   for (const char* const verb : {"simulate", "identify", "compare", "reproduce", "predict", "inspect",
-                                 "completion", "manual", "help"}) {
+                                 "report", "completion", "manual", "help"}) {
     const Outcome help = proofmass({verb, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_NE(help.out.find(std::string("Examples:\n  proofmass ") + verb), std::string::npos) << help.out;

@@ -63,15 +63,4 @@ std::string typeset_unit(std::string_view unit) {
   return micro ? "µ" + out.substr(1) : out;
 }
 
-std::size_t text_columns(std::string_view utf8) {
-  constexpr unsigned char kChineseFrom = 0xE3, kContinuation = 0x80, kMask = 0xC0;
-  std::size_t columns = 0;
-  for (const char c : utf8) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte & kMask) == kContinuation) continue;
-    columns += byte >= kChineseFrom ? 2 : 1;
-  }
-  return columns;
-}
-
 }  // namespace proofmass

@@ -16,7 +16,4 @@ namespace proofmass {
 // "g/g^2" becomes "g/g²", "m/s^2" "m/s²", "ug" "µg".
 [[nodiscard]] std::string typeset_unit(std::string_view unit);
 
-// Columns that text takes in a font of one width: two for Chinese characters and full-width signs.
-[[nodiscard]] std::size_t text_columns(std::string_view utf8);
-
 }  // namespace proofmass

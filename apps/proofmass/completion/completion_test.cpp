@@ -41,7 +41,7 @@ std::vector<std::string> verbs() {
 }
 
 TEST_F(Completion, KnowsEveryVerbEverywhere) {
-  EXPECT_EQ(verbs().size(), 9U);
+  EXPECT_EQ(verbs().size(), 10U);
   const std::string bash = proofmass({"completion", "bash"}).out;
   const std::string zsh = proofmass({"completion", "zsh"}).out;
   const std::string fish = proofmass({"completion", "fish"}).out;

@@ -87,7 +87,8 @@ void run_report(const ReportFlags& flags) {
     figures = record_figures(*found.record, split_again(*found.record, run), run.identification);
   const RecordFigures* const shown = figures ? &*figures : nullptr;
   OutputFiles files;
-  files.add(flags.out, render_report(run, shown, {.language = flags.common.language, .date = today()}, found.why));
+  files.add(flags.out,
+            render_report(run, shown, {.language = flags.common.language, .date = today()}, found.why));
   files.commit();
 }
 

@@ -48,7 +48,8 @@ void run_reproduce(const ReproduceFlags& flags) {
     for (const NamedText& file : reproduction_files(made))
       files.add(fs::path(flags.out) / file.name, file.text);
   }
-  if (!flags.report.empty()) files.add(flags.report, render_report(made, {.language = flags.common.language, .date = today()}));
+  if (!flags.report.empty())
+    files.add(flags.report, render_report(made, {.language = flags.common.language, .date = today()}));
   if (flags.report != "-") files.add("-", render_reproduction(made));
   files.commit();
 }

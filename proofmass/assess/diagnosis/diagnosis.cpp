@@ -20,15 +20,15 @@
 #include "proofmass/assess/diagnosis/fit/serial_correlation.hpp"
 #include "proofmass/assess/diagnosis/fit/short_model.hpp"
 #include "proofmass/assess/diagnosis/fit/unlike_rows.hpp"
-#include "proofmass/assess/diagnosis/mixed_units.hpp"
 #include "proofmass/assess/diagnosis/record/duplicated_rows.hpp"
 #include "proofmass/assess/diagnosis/record/implausible_inputs.hpp"
 #include "proofmass/assess/diagnosis/record/implausible_outputs.hpp"
-#include "proofmass/assess/diagnosis/record/input_unit.hpp"
 #include "proofmass/assess/diagnosis/record/misread_columns.hpp"
 #include "proofmass/assess/diagnosis/record/output_limits.hpp"
 #include "proofmass/assess/diagnosis/record/time_order.hpp"
 #include "proofmass/assess/diagnosis/record/wrapped_output.hpp"
+#include "proofmass/assess/diagnosis/units/input_unit.hpp"
+#include "proofmass/assess/diagnosis/units/mixed_units.hpp"
 
 namespace proofmass {
 namespace {

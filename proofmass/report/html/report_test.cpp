@@ -94,7 +94,7 @@ TEST(Report, EscapesWhateverARecordOrAResultSays) {
   record.output_unit = {.quantity = Quantity::voltage, .symbol = std::string(kHostile), .to_canonical = 1.0};
   Made made(std::move(record));
   made.run.identification.model = kHostile;
-  made.run.identification.ending.reason = kHostile;
+  made.run.identification.ending.parts = {{.figures = {{"text", std::string(kHostile)}}}};
   made.run.provenance.version = kHostile;
   made.run.provenance.options.emplace_back(kHostile, kHostile);
   made.run.provenance.reading.push_back(
@@ -119,6 +119,10 @@ TEST(Report, BeginsInTheLanguageThatIsAskedForAndHasBoth) {
   for (const std::string& page : {english, chinese}) {
     EXPECT_THAT(page, HasSubstr("残差与温度"));
     EXPECT_THAT(page, HasSubstr("Residuals against temperature"));
+    EXPECT_THAT(page, HasSubstr("solved directly by normal equations"));
+    EXPECT_THAT(page, HasSubstr("由双倍工作精度的正规方程直接求解"));
+    EXPECT_THAT(page, HasSubstr("standard errors assume exact inputs and white output noise"));
+    EXPECT_THAT(page, HasSubstr("标准误差假定输入准确，输出噪声为白噪声"));
   }
 }
 

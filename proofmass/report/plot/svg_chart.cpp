@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "proofmass/report/plot/svg_canvas_internal.hpp"
-#include "proofmass/report/typography.hpp"
+#include "proofmass/report/text/display_width.hpp"
 
 namespace proofmass {
 namespace {
@@ -200,7 +200,7 @@ class ChartDrawing {
       }
       canvas_.raw("</g>");
       canvas_.text(at + kSample + 4.0, y, s.name, SvgCanvas::Anchor::start);
-      const auto columns = static_cast<double>(std::max(text_columns(s.name.en), text_columns(s.name.zh)));
+      const auto columns = static_cast<double>(std::max(display_width(s.name.en), display_width(s.name.zh)));
       at += kSample + 4.0 + kCharacter * columns + kGap;
     }
   }

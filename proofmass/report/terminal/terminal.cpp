@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "proofmass/report/coefficient_text.hpp"
 #include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/readable_units.hpp"
@@ -21,24 +22,6 @@
 
 namespace proofmass {
 namespace {
-
-// In the unit that users speak; in the output's own where that is no acceleration.
-std::string readable(const Coefficient& coefficient, const Unit& output) {
-  if (!output.is_acceleration()) {
-    const std::string unit = coefficient_unit(coefficient.term, output);
-    return coefficient.standard_error
-               ? fmt::format("{} ± {} {}", uncertain_text(coefficient.value, coefficient.standard_error),
-                             significant_text(*coefficient.standard_error, 2), unit)
-               : fmt::format("{} {}", significant_text(coefficient.value, 6), unit);
-  }
-  const ReadableUnit unit = readable_unit(coefficient.term);
-  const double value = (coefficient.value - unit.offset) * unit.factor;
-  const std::string label = coefficient.term == Term::Ki ? "Ki-1 = " : "";
-  const std::string number = coefficient.standard_error
-                                 ? plus_minus_text(value, *coefficient.standard_error * unit.factor)
-                                 : significant_text(value, 6);
-  return fmt::format("{}{} {}", label, number, unit.symbol);
-}
 
 std::string optional_text(const std::optional<double>& value, int digits) {
   return value ? significant_text(*value, digits) : "-";
@@ -57,7 +40,7 @@ std::string p_text(const std::optional<double>& p) {
 
 std::vector<std::string> cells(const Coefficient& c, const Unit& output) {
   return {std::string(name(c.term)),
-          readable(c, output),
+          readable_text(c, output),
           uncertain_text(c.value, c.standard_error),
           optional_text(c.standard_error, 3),
           optional_text(c.t, 4),

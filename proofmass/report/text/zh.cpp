@@ -202,6 +202,9 @@ std::string_view chinese_template(Code code) noexcept {
     case Code::inputs_in_other_unit:
     case Code::inputs_are_angles:
     case Code::inputs_too_large:
+    case Code::output_far_off:
+    case Code::sigma_output_far_off:
+    case Code::square_larger:
     case Code::input_far_off:
     case Code::magnitude_unlike_others:
     case Code::rows_shifted:

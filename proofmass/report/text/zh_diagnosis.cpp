@@ -11,8 +11,10 @@ namespace {
 
 constexpr std::string_view kChineseRows =
     "少数行偏离很大，其余各行正常。应使用 robust 方法，并检查其列出的可疑行";
+
 constexpr std::string_view kChineseMixed =
     "部分行的输入或输出与其他行的单位不同（相差 9.8 倍或 1000 倍）。应换算为同一单位";
+
 constexpr std::array kChinesePhrases{
     NamedPhrase{"hint", "output_si", "输出的单位似为 m/s²。应注明单位：E[m/s^2]"},
     NamedPhrase{"hint", "inputs_si", "输入的单位似为 m/s²。应注明单位：Ai[m/s^2]"},
@@ -33,17 +35,59 @@ constexpr std::array kChinesePhrases{
     NamedPhrase{"hint", "declared", "E 或输入的单位与记录所注不符，或读错了列"},
     NamedPhrase{"reason", "terms",
                 "静态模型中未列入的项能解释其大部分。应改用 full 模型，并去掉不可辨识的项"},
-    NamedPhrase{"reason", "rows", kChineseRows},
-    NamedPhrase{"reason", "mixed", kChineseMixed},
+    NamedPhrase{"reason", "rows",
+                "少数行偏离很远，其余各行正常{named}。应更正或剔除有误的数据，或使用 robust "
+                "方法并检查其列出的可疑行"},
+    NamedPhrase{"named", "lines", "：第 {lines} 行"},
+    NamedPhrase{"reason", "mixed",
+                "部分行的输入或输出与其余各行单位不同，或标度不同（比值为 9.8 或 1000）。现有系数没有意义。"
+                "应将各行换算为同一单位；其中沿输入轴的是第 {lines} 行"},
     NamedPhrase{"reason", "unrelated", "输出与输入几乎无关。读错了列，或各行的次序不同"},
     NamedPhrase{"reason", "unknown", "输入只能解释输出的一部分。应画出输出对各输入的关系图"},
     NamedPhrase{"direction", "below", "输出在其输入之下，应将输出列上移同样的行数"},
     NamedPhrase{"direction", "above", "输出在其输入之上，应将输出列下移同样的行数"},
     NamedPhrase{"shape", "step", "{axis} 变号处输出似有 {change:.3g} {unit} 的跳变"},
     NamedPhrase{"shape", "slope", "对正、负 {axis} 的响应似相差 {change:.3g} {unit}/g"},
+    NamedPhrase{"shape", "direction", "{axis} 上升所至的行与下降所至的行，输出似相差 {change:.3g} {unit}"},
+    NamedPhrase{
+        "course", "gradual",
+        "在整个记录中变化 {change:.3g} {unit}，为标准误差的 {errors:.3g} 倍（噪声 {scale:.3g} {unit}）。"
+        "若各行按试验的先后排列，这就是漂移，会使系数改变：应去掉预热阶段的数据，或重复测量参考位置，"
+        "并从输出中扣除漂移"},
+    NamedPhrase{"course", "jump",
+                "自第 {first:.0f} 行起与此前相差 {change:.3g} {unit}，为标准误差的 {errors:.3g} 倍"
+                "（噪声 {scale:.3g} {unit}）。零偏或安装在该处发生了变化，会使系数改变。"
+                "应将记录的各段分别辨识，或在各段重复测量参考位置，并从输出中扣除其差"},
+    NamedPhrase{
+        "course", "stretch",
+        "第 {first:.0f} 行至第 {last:.0f} 行与其余各行相差 {change:.3g} {unit}，为标准误差的 {errors:.3g} 倍"
+        "（噪声 {scale:.3g} {unit}）。这些行属于另一次安装或另一台仪表，会使系数改变。应单独辨识或剔除"},
+    NamedPhrase{
+        "course", "factor_gradual",
+        "在整个记录中 Ki 变化 {change:.3g} {unit}，为标准误差的 {errors:.3g} 倍。若各行按试验的先后排列，"
+        "这就是标度因数的漂移：应待仪表充分预热，或将记录拆分后分别辨识"},
+    NamedPhrase{"course", "factor_jump",
+                "自第 {first:.0f} 行起 Ki 与此前相差 {change:.3g} {unit}，为标准误差的 {errors:.3g} 倍。"
+                "增益、读出量程或仪表在该处发生了变化，Ki 只是平均值。应将记录的各段分别辨识"},
+    NamedPhrase{"course", "factor_stretch",
+                "第 {first:.0f} 行至第 {last:.0f} 行的 Ki 与其余各行相差 {change:.3g} {unit}，为标准误差的 "
+                "{errors:.3g} 倍。这些行的增益不同，或属于另一台仪表，Ki 只是平均值。应单独辨识或剔除"},
+    NamedPhrase{"weight", "none", "不起作用"},
+    NamedPhrase{"weight", "all", "单独决定系数"},
     NamedPhrase{"shape", "other", "在其范围的各段内大小不同"},
-    NamedPhrase{"magnitudes", "all_axes", "各行的 |A| 为 {least:.5g} 至 {largest:.5g}"},
-    NamedPhrase{"magnitudes", "one_axis", "|Ai| 的最大值在正负两个方向均为 {largest:.5g}"},
+    NamedPhrase{
+        "magnitudes", "all_axes",
+        "各行的 |A| 为 {least:.5g} 至 {largest:.5g}，按 {read} 读取，而看来是以 {written} 表示的 1 g。"
+        "各系数因而差该比值的若干次方。应在表头注明单位，如 Ai[{written}]"},
+    NamedPhrase{
+        "magnitudes", "one_axis",
+        "|Ai| 的最大值在正负两个方向均为 {largest:.5g}，按 {read} 读取，而看来是以 {written} 表示的 1 g。"
+        "各系数因而差该比值的若干次方。应在表头注明单位，如 Ai[{written}]"},
+    NamedPhrase{
+        "magnitudes", "one_of_axes",
+        "{axis} 按 {read} 读取，而看来以 {written} 为单位：若如此，整个记录的 |A| 有 {after:.0f} 个值，"
+        "否则有 {before:.0f} 个。{axis} 的各系数因而差该比值的若干次方。应在表头注明单位，如 "
+        "{axis}[{written}]"},
     NamedPhrase{"size", "power", "2^{bits:.0f} = {turn:.0f}"},
     NamedPhrase{"size", "other", "{turn:.7g} {unit}"},
     NamedPhrase{"within", "rows",
@@ -63,8 +107,7 @@ constexpr std::array kChinesePhrases{
 std::string_view chinese_diagnosis(Code code) noexcept {
   switch (code) {
     case Code::inputs_in_other_unit:
-      return "{magnitudes}，按 {read} 读取，而看来是以 {written} 表示的 1 g。"
-             "各系数因而差该比值的若干次方。应在表头注明单位，如 Ai[{written}]";
+      return "{magnitudes}";
     case Code::inputs_are_angles:
       return "输出随输入的{function}变化（输入视为以 {written} 表示的角度），而不随输入本身变化："
              "输入是分度头的角度。现有系数没有意义。应以该角度的{function}乘以当地重力加速度作为 Ai";
@@ -72,6 +115,18 @@ std::string_view chinese_diagnosis(Code code) noexcept {
       return "加速度高达 {largest:.3g} g（按 {read} 读取），"
              "而加速度计的试验设备不会产生超过 {limit:g} g 的加速度：输入的单位不同，或读错了列。"
              "应在表头注明单位，如 Ai[ug]";
+    case Code::output_far_off:
+      return "第 {line:.0f} 行的 E 为 {value:g} {unit}，超过其余各行最大值的 {limit:g} 倍"
+             "（此类行共 {count:.0f} 行，其间没有中间值）：是过载或缺测标记，或笔误。"
+             "系数会由这样的行单独决定。应更正或剔除：第 {lines} 行";
+    case Code::sigma_output_far_off:
+      return "第 {line:.0f} 行的 sigma_E 为 {value:.3g} {unit}，中位数为 {others:.3g} {unit}"
+             "（此类行共 {count:.0f} 行，其间没有中间值）：是缺测标记或笔误。"
+             "按 sigma_E 加权时这样的行{weight}。应更正 sigma_E，或剔除：第 {lines} 行";
+    case Code::square_larger:
+      return "{terms}（{value:.6g} {unit}²）对输出的贡献大于 Ki（{ki:.6g} {unit}）："
+             "输出随输入的平方变化，如功率，或失去符号的读数。现有系数不是加速度计的系数。"
+             "应指明输出所在的列，或给出原始读数";
     case Code::input_far_off:
       return "第 {line:.0f} 行的 {axis} 为 {value:g} {unit}，"
              "超过其余绝大多数行的 {limit:g} 倍（此类行共 {count:.0f} 行，其间没有中间值）："
@@ -116,8 +171,8 @@ std::string_view chinese_diagnosis(Code code) noexcept {
              "输入和输出均相同（第 {first:.0f} 行重复第 {original:.0f} 行）：重复粘贴的行被计入两次，"
              "标准误差因而偏小。应去掉重复的行：第 {lines} 行";
     case Code::time_backwards:
-      return "{total:.0f} 行中有 {count:.0f} 行的 t 倒退：记录经拼接或按其他量排序，或时钟被调整。"
-             "此时无法判断漂移：第 {lines} 行";
+      return "{total:.0f} 行中有 {count:.0f} 行的 t 倒退：记录经拼接或按其他量排序，时钟被调整，"
+             "或 t 中有标记。此时无法判断漂移。应更正 t，或将各行按试验的先后排列：第 {lines} 行";
     case Code::time_standing:
       return "{total:.0f} 行中有 {count:.0f} 行的 t 停滞：行被重复粘贴，或时钟停走：第 {lines} 行";
     case Code::temperature_implausible:
@@ -139,14 +194,14 @@ std::string_view chinese_diagnosis(Code code) noexcept {
       return "{rows:.0f} 行只余 {dof:.0f} 个自由度：标准误差本身的不确定度约为 {percent:.0f} %，"
              "失拟也无从显现。应增加数据行或减少项数";
     case Code::gross_misfit:
-      return "拟合不能解释输出（R² 为 {r2:.3g}，低于 {limit:g}）：{reason}";
+      return "拟合不能解释输出（R² 为 {r2:.3g}）：{reason}";
     case Code::model_too_short:
       return "残差随模型所缺、而数据行能够辨识的 {count:.0f} 项变化：{terms}（{errors:.3g} 倍标准误差）。"
              "加入这些项，残差标准差将由 {before:.3g} 降至 {after:.3g} {unit}；不加入，"
              "其影响也会混入其他系数。应加入这些项，或改用 full 模型并去掉不可辨识的项";
     case Code::rows_far_off:
       return "{count:.0f} 行偏离拟合过远，不可能是噪声（第 {line:.0f} 行偏离 {residual:.3g} {unit}；"
-             "残差的尺度为 {scale:.3g} {unit}），并使系数改变。应更正或剔除有误的数据，"
+             "该处残差的尺度为 {scale:.3g} {unit}），并使系数改变。应更正或剔除有误的数据，"
              "或使用 robust 方法：第 {lines} 行";
     case Code::residuals_follow_time:
       return "残差随 t 变化：在整个记录中变化 {change:.3g} {unit}，"
@@ -157,9 +212,7 @@ std::string_view chinese_diagnosis(Code code) noexcept {
              "为标准误差的 {errors:.3g} 倍（噪声 {scale:.3g} {unit}）。漂移会使系数改变。"
              "应待温度稳定后测试，或从输出中扣除温度的影响";
     case Code::residuals_follow_order:
-      return "残差随行的次序变化：在整个记录中变化 {change:.3g} {unit}，"
-             "为标准误差的 {errors:.3g} 倍（噪声 {scale:.3g} {unit}）。若各行按试验的先后排列，"
-             "这就是漂移，会使系数改变：应去掉预热阶段的数据，或重复测量参考位置，并从输出中扣除漂移";
+      return "残差随行的次序变化：{course}";
     case Code::residuals_follow_mount:
       return "残差随安装位置变化，{total:.0f} 个安装位置中有 {count:.0f} 个如此："
              "在 {mount} 处残差的平均值为 {mean:.3g} {unit}，偏离零 {errors:.3g} 倍标准误差。"
@@ -176,9 +229,7 @@ std::string_view chinese_diagnosis(Code code) noexcept {
       return "标度因数随 T 变化：在 T 的范围内 Ki 变化 {change:.3g} {unit}，"
              "为标准误差的 {errors:.3g} 倍。应待温度稳定后测试，或从输出中扣除温度的影响";
     case Code::scale_factor_follows_order:
-      return "标度因数随行的次序变化：在整个记录中 Ki 变化 {change:.3g} {unit}，"
-             "为标准误差的 {errors:.3g} 倍。若各行按试验的先后排列，这就是标度因数的漂移："
-             "应待仪表充分预热，或将记录拆分后分别辨识";
+      return "标度因数随行的次序变化：{course}";
     case Code::scale_factor_follows_mount:
       return "各安装位置的标度因数不同，{total:.0f} 个安装位置中有 {count:.0f} 个如此："
              "在 {mount} 处 Ki 相差 {mean:.3g} {unit}，为标准误差的 {errors:.3g} 倍。安装半径有误，"

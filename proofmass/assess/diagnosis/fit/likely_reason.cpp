@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/assess/diagnosis/fit/likely_reason.hpp"
 
-#include "proofmass/assess/diagnosis/mixed_units.hpp"
 #include "proofmass/assess/diagnosis/record/term_space.hpp"
 #include "proofmass/assess/diagnosis/record/unexplained.hpp"
+#include "proofmass/assess/diagnosis/units/mixed_units.hpp"
 
 namespace proofmass {
 std::string likely_reason(const FittedRows& rows, double unexplained) {

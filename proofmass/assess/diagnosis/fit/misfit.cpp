@@ -8,7 +8,7 @@
 
 #include "proofmass/assess/diagnosis/fit/far_rows.hpp"
 #include "proofmass/assess/diagnosis/fit/likely_reason.hpp"
-#include "proofmass/assess/diagnosis/mixed_units.hpp"
+#include "proofmass/assess/diagnosis/units/mixed_units.hpp"
 
 namespace proofmass {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "proofmass/report/html/page/html.hpp"
-#include "proofmass/report/text/en.hpp"
+#include "proofmass/report/text/findings.hpp"
 #include "proofmass/report/text/label.hpp"
 
 namespace proofmass::html {
@@ -67,6 +67,8 @@ std::string_view figure_of(const Finding& finding) {
     case Code::output_wrapped:
     case Code::output_unsigned:
     case Code::output_copies_input:
+    case Code::output_far_off:
+    case Code::square_larger:
     case Code::gross_misfit:
     case Code::scale_factor_negative:
     case Code::scale_factor_unlike_one:
@@ -82,6 +84,7 @@ std::string_view figure_of(const Finding& finding) {
     case Code::sigma_output_too_small:
     case Code::sigma_output_too_large:
     case Code::sigma_output_uneven:
+    case Code::sigma_output_far_off:
       return "histogram";
     case Code::inputs_collinear:
       return "correlations";
@@ -91,7 +94,7 @@ std::string_view figure_of(const Finding& finding) {
 }
 
 std::string finding(const Finding& found) {
-  const Text text = same_text(english(found));
+  const Text text{sentence(found, Language::en), sentence(found, Language::zh)};
   const std::string kind = found.severity == Severity::warning ? "finding warning" : "finding";
   return element(
       "div",

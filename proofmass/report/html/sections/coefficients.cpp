@@ -8,7 +8,7 @@
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
 #include "proofmass/report/number_text.hpp"
-#include "proofmass/report/text/en.hpp"
+#include "proofmass/report/text/findings.hpp"
 #include "proofmass/report/typography.hpp"
 
 namespace proofmass::html {
@@ -66,7 +66,8 @@ std::string refused(std::span<const Coefficient> coefficients) {
              {{text_of(Label::term), Align::left}, {text_of(Label::reason), Align::left}});
   for (const Coefficient& c : coefficients) {
     if (c.identified) continue;
-    const Text why = c.reason ? same_text(english_reason(*c.reason)) : Text();
+    const Text why =
+        c.reason ? Text{reason(*c.reason, Language::en), reason(*c.reason, Language::zh)} : Text();
     made.add({escaped(name(c.term)), both(why)});
   }
   return made.empty() ? std::string() : made.html();

@@ -6,6 +6,7 @@
 #include "proofmass/report/html/sections/sections.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/readable_units.hpp"
+#include "proofmass/report/text/endings.hpp"
 #include "proofmass/report/typography.hpp"
 
 namespace proofmass::html {
@@ -13,8 +14,8 @@ namespace proofmass::html {
 std::optional<Section> ending_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   const Diagnostics& d = result.diagnostics;
-  std::string body =
-      paragraph(same_text(fmt::format("{}: {}", to_string(result.ending.status), result.ending.reason)));
+  const std::vector<EndingPart>& parts = result.ending.parts;
+  std::string body = paragraph({sentence(parts, Language::en), sentence(parts, Language::zh)});
   Definitions figures;
   const auto number = [&](Label label, const std::optional<double>& value, const std::string& unit = "") {
     if (value) figures.add(text_of(label), escaped(typeset(significant_text(*value, 5)) + unit));

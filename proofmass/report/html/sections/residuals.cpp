@@ -7,8 +7,8 @@
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/parts_internal.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
+#include "proofmass/report/text/display_width.hpp"
 #include "proofmass/report/text/sentence.hpp"
-#include "proofmass/report/typography.hpp"
 
 namespace proofmass::html {
 namespace {
@@ -45,7 +45,7 @@ Along along_mounts(const Dataset& record) {
   for (std::size_t k = 0; k < mounts.size(); ++k) {
     for (const std::size_t row : mounts[k]) made.values[row] = static_cast<double>(k);
     made.categories.push_back(same_text(record.mount[mounts[k].front()]));
-    columns += text_columns(made.categories.back().en);
+    columns += display_width(made.categories.back().en);
   }
   if (mounts.size() > kMostNamed || columns > kMostColumns) {
     made.categories.clear();

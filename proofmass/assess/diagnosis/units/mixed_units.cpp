@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/assess/diagnosis/mixed_units.hpp"
+#include "proofmass/assess/diagnosis/units/mixed_units.hpp"
 
 #include <algorithm>
 #include <array>

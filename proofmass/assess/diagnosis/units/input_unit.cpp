@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proofmass/assess/diagnosis/record/input_unit.hpp"
+#include "proofmass/assess/diagnosis/units/input_unit.hpp"
 
 #include <algorithm>
 #include <array>
