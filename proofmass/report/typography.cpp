@@ -28,6 +28,20 @@ std::size_t exponent_at(std::string_view text, std::size_t k) {
   return end > digits ? end - k : 0;
 }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+// Before a number, or between two with spaces; a hyphen between words, or within 3-7-1, is none.
+bool is_minus(std::string_view text, std::size_t k) {
+  if (text[k] != '-' || k + 1 == text.size()) return false;
+  const bool spaced = text[k + 1] == ' ';
+  const std::size_t next = k + (spaced ? 2 : 1);
+  if (next >= text.size() || (!is_digit(text[next]) && text[next] != '.')) return false;
+  if (k == 0) return !spaced;
+  const char before = text[k - 1];
+  if (spaced) return before == ' ' && k > 1 && is_digit(text[k - 2]);
+  return !is_digit(before) && !is_letter(before);
+}
+
 }  // namespace
 
 std::string power_of_ten(int exponent) { return "10" + raised(exponent); }
@@ -43,7 +57,7 @@ std::string typeset(std::string_view text) {
       out += " × " + power_of_ten(power);
       k += exponent;
     } else {
-      out += text[k] == '-' ? "−" : std::string(1, text[k]);
+      out += is_minus(text, k) ? "−" : std::string(1, text[k]);
       ++k;
     }
   }

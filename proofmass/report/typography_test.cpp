@@ -13,6 +13,9 @@ namespace {
 TEST(Typography, PrintsNumbersAndUnitsAsTheSiBrochureDoes) {
   EXPECT_EQ(typeset("-1.5e-06"), "−1.5 × 10⁻⁶");
   EXPECT_EQ(typeset("2e+16"), "2 × 10¹⁶");
+  EXPECT_EQ(typeset("1 - 2.2e-14"), "1 − 2.2 × 10⁻¹⁴");
+  EXPECT_EQ(typeset("leave-one-out of a 3-7-1 network, 2026-11-28"),
+            "leave-one-out of a 3-7-1 network, 2026-11-28");
   EXPECT_EQ(typeset("0.25"), "0.25");
   EXPECT_EQ(typeset("[-1.5e-06, 2.e+08]"), "[−1.5 × 10⁻⁶, 2. × 10⁸]");
   EXPECT_EQ(typeset("trainlm"), "trainlm");  // an e that is no exponent

@@ -6,6 +6,7 @@
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/text/findings.hpp"
 #include "proofmass/report/text/label.hpp"
+#include "proofmass/report/typography.hpp"
 
 namespace proofmass::html {
 namespace {
@@ -94,7 +95,7 @@ std::string_view figure_of(const Finding& finding) {
 }
 
 std::string finding(const Finding& found) {
-  const Text text{sentence(found, Language::en), sentence(found, Language::zh)};
+  const Text text{typeset(sentence(found, Language::en)), typeset(sentence(found, Language::zh))};
   const std::string kind = found.severity == Severity::warning ? "finding warning" : "finding";
   return element(
       "div",

@@ -34,6 +34,12 @@ std::string bar(const Coefficient& c, bool as_deviation) {
       at(0.0), at(from), at(to), at(value));
 }
 
+std::string reading(const Coefficient& c, const Unit& output) {
+  const std::string what = output.is_acceleration() && c.term == Term::Ki ? "Ki − 1 = " : "";
+  return what + in_print(readable_number(c, output)) + " " +
+         escaped(typeset_unit(reading_unit(c.term, output)));
+}
+
 std::string table(const Text& caption, std::span<const Coefficient> coefficients, const Unit& output,
                   Table::Caption shown = Table::Caption::shown) {
   Table made(caption,
@@ -53,10 +59,9 @@ std::string table(const Text& caption, std::span<const Coefficient> coefficients
     };
     const std::string p = !c.p ? "–" : *c.p < 1e-4 ? "&lt; 0.0001" : in_print(fmt::format("{:.4f}", *c.p));
     const std::string interval = readable_interval(c, output);
-    made.add({escaped(name(c.term)), in_print(readable_text(c, output)),
-              interval.empty() ? "–" : in_print(interval), bar(c, output.is_acceleration()),
-              in_print(uncertain_text(c.value, c.standard_error)), optional(c.standard_error, 3),
-              optional(c.t, 4), p});
+    made.add({escaped(name(c.term)), reading(c, output), interval.empty() ? "–" : in_print(interval),
+              bar(c, output.is_acceleration()), in_print(uncertain_text(c.value, c.standard_error)),
+              optional(c.standard_error, 3), optional(c.t, 4), p});
   }
   return made.empty() ? std::string() : made.html();
 }

@@ -15,7 +15,8 @@ std::optional<Section> ending_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   const Diagnostics& d = result.diagnostics;
   const std::vector<EndingPart>& parts = result.ending.parts;
-  std::string body = paragraph({sentence(parts, Language::en), sentence(parts, Language::zh)});
+  std::string body =
+      paragraph({typeset(sentence(parts, Language::en)), typeset(sentence(parts, Language::zh))});
   Definitions figures;
   const auto number = [&](Label label, const std::optional<double>& value, const std::string& unit = "") {
     if (value) figures.add(text_of(label), escaped(typeset(significant_text(*value, 5)) + unit));
