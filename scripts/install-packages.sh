@@ -3,6 +3,7 @@
 # Installs the missing packages of a list; changes nothing when none is missing. If it cannot install, it lists what is
 # missing and exits without an error; the build then fails if a package is needed.
 #   scripts/install-packages.sh [LIST]    packages.txt, beside this script, when not given
+# A line of the list is a package, or "PACKAGE unless COMMAND": that one is installed where the command is not there.
 set -euo pipefail
 list=${1:-$(dirname "${BASH_SOURCE[0]}")/packages.txt}
 
@@ -13,7 +14,8 @@ if ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 missing=()
-while read -r package; do
+while read -r package unless command; do
+  [ "$unless" != unless ] || ! command -v "$command" >/dev/null || continue
   installed "$package" || missing+=("$package")
 done < <(grep -v '^#' "$list")
 if [ ${#missing[@]} -eq 0 ]; then

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Builds the optimised product and runs its tests, within ten minutes on two cores. With --all also under the
-# sanitizers, with the examples against an installed copy, formatting and static analysis. Needs
+# sanitizers, with the examples against an installed copy, reports in a browser, formatting and static analysis. Needs
 # nothing but this checkout on Debian 12.
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -52,6 +52,15 @@ test_examples() {
     run "$prefix/bin/proofmass" simulate "$twin" --out build/examples/run.csv &&
     run build/examples/identify_record build/examples/run.csv &&
     run build/examples/simulate_and_compare "$twin"
+}
+
+# Reports of every kind, opened by Chromium from disk and printed (tests/browser).
+test_reports() {
+  local folder=build/browser
+  rm -rf "$folder" && mkdir -p "$folder" && cp tests/browser/{package.json,package-lock.json,.npmrc,reports.mjs} "$folder" &&
+    (cd "$folder" && run npm ci --ignore-scripts --no-audit --no-fund) &&
+    run tests/browser/make_reports.sh build/check/bin/proofmass "$folder" &&
+    run node "$folder/reports.mjs" "$folder"
 }
 
 sources() { find proofmass apps benchmarks examples tests -name '*.[ch]pp' -print0; }
@@ -115,6 +124,7 @@ if $all; then
   step "AddressSanitizer and UndefinedBehaviorSanitizer" test_build asan
   step "ThreadSanitizer" test_threads
   step "Examples against an installed copy" test_examples
+  step "Reports in a browser" test_reports
   step "Formatting" check_format
   step "Static analysis" check_tidy
 fi
