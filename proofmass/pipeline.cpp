@@ -19,6 +19,7 @@
 #include "proofmass/assess/leave_out.hpp"
 #include "proofmass/assess/metrics.hpp"
 #include "proofmass/assess/selection/hidden_search.hpp"
+#include "proofmass/assess/test_curve.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/text.hpp"
 #include "proofmass/core/version.hpp"
@@ -161,6 +162,7 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   if (!trials.empty()) std::get<NetworkDetails>(run.identification.details).hidden_search = std::move(trials);
   add_intervals(run.identification);
   score_parts(run.identification, training, validation, test);
+  add_test_curve(run.identification, test);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (training.rows() == record.rows()) add_leave_out_scores(run.identification, training);
   add_diagnosis(run, record, method);

@@ -38,5 +38,8 @@ else
   say "No reference data at $reference_data: the real sensor is left out"
 fi
 
+say "The paper's experiment, repeated, as a report"
+run "$proofmass" reproduce --quick --out "$out/reproduction" --report "$out/reproduction.html" >/dev/null
+
 say "Files written"
 ls -l "$out"

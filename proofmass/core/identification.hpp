@@ -125,6 +125,14 @@ struct AfsaDetails {
 };
 using Details = std::variant<std::monostate, NetworkDetails, RobustDetails, GmdhDetails, AfsaDetails>;
 
+// Weights of a network on its way through training, in the order of TrainedNetwork, at epochs where its
+// training error is visibly lower than before.
+struct TrainingPath {
+  std::vector<std::size_t> epochs;  // ascending, from 0, the start
+  std::vector<std::vector<double>> weights;
+  double last_rmse = 0.0;  // of the scaled output, at the last of them
+};
+
 // Of the training rows in the fit, relative to one another.
 struct RowWeights {
   std::vector<double> values;  // empty: all alike
@@ -143,6 +151,7 @@ struct Identification {
   std::optional<TrainedNetwork>
       network;             // used for prediction by network methods; the others predict by the static model
   RowWeights row_weights;  // of a static model; no part of a result file
+  TrainingPath training_path{};  // of a network; no part of a result file
   std::optional<Metrics> train, validation, test;
   // Of each training row as predicted by a fit without it, and without its mount; for methods that fit all
   // rows when they did, over the rows that the others determine.

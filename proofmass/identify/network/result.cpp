@@ -210,6 +210,7 @@ Identification make_network_identification(std::string_view method, const Networ
   for (Curve& curve : result.history) {
     for (double& value : curve.values) value *= scale / task.training.output_unit.to_canonical;
   }
+  result.training_path = best.path;
   result.ending = ending_of_training(best, refinement.candidates);
   return result;
 }

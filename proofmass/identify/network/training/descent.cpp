@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "proofmass/identify/network/training/descent_internal.hpp"
+#include "proofmass/identify/network/training/weight_path.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 
 namespace proofmass {
@@ -36,12 +37,12 @@ LevenbergMarquardtResult NetworkDescent::run(const LevenbergMarquardtOptions& se
 
 bool NetworkDescent::observe(std::span<const double> point, double rmse) {
   state_.training_curve.push_back(std::min(rmse, state_.training_curve.back()));
+  const std::span<const double> output =
+      hidden_ ? std::span<const double>(hidden_->output_weights()) : std::span<const double>();
+  add_to_path(state_.path, state_.training_curve.size() - 1, rmse, point, output);
   if (validation_ != nullptr) {
     std::vector<double> weights(point.begin(), point.end());
-    if (hidden_) {
-      const std::vector<double>& output = hidden_->output_weights();
-      weights.insert(weights.end(), output.begin(), output.end());
-    }
+    weights.insert(weights.end(), output.begin(), output.end());
     stopped_early_ = !improve(std::move(weights), rmse);
   }
   return !stopped_early_ && keep_going_();

@@ -9,6 +9,7 @@
 
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/network/training/descent_internal.hpp"
+#include "proofmass/identify/network/training/weight_path.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
 #include "proofmass/numeric/network/variable_projection.hpp"
 #include "proofmass/numeric/optimise/levenberg_marquardt.hpp"
@@ -87,6 +88,7 @@ TrainingState NetworkTrainer::start(std::vector<double> weights, RandomStream ra
   state.point = state.weights;
   state.training_rmse = root_mean(sum_of_squares(state.weights), training_);
   state.training_curve = {state.training_rmse};
+  add_to_path(state.path, 0, state.training_rmse, state.weights);
   state.rests_at_minimum = options_.trainer == Trainer::varpro;
   state.mu = options_.trainer == Trainer::lm ? options_.mu : projected().mu;
   if (validation_ != nullptr) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "proofmass/core/ending.hpp"
+#include "proofmass/core/identification.hpp"
 #include "proofmass/identify/network/training/options.hpp"
 #include "proofmass/numeric/network/perceptron.hpp"
 #include "proofmass/numeric/network/perceptron_kernels.hpp"
@@ -28,6 +29,7 @@ struct TrainingState {
       std::numeric_limits<double>::infinity();  // likewise; infinite without validation rows
   std::vector<double> training_curve;           // rmse at the start and, the best so far, after each epoch
   std::vector<double> validation_curve;         // likewise; empty without validation rows
+  TrainingPath path;                            // of all weights
   std::size_t epochs = 0;
   double mu = 0.0;                     // damping to go on with
   std::size_t perturbations = 0;       // perturbations so far
