@@ -177,6 +177,14 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
 }
 
 Split split_again(const Dataset& record, const Run& result) {
+  const Identification& made = result.identification;
+  const auto contradiction = [&](const std::string& what) {
+    return Error(
+        ErrorKind::bad_data,
+        fmt::format("{}: {}, which contradicts the result; the result file was changed, or made by another "
+                    "version",
+                    record.source, what));
+  };
   const auto option = [&](std::string_view name) -> std::string_view {
     for (const auto& [known, value] : result.provenance.options)
       if (known == name) return value;
@@ -184,26 +192,29 @@ Split split_again(const Dataset& record, const Run& result) {
   };
   const auto fraction = [&](std::string_view name, double otherwise) {
     const std::string_view text = option(name);
-    double value = otherwise;
-    std::from_chars(text.data(), text.data() + text.size(), value);
+    if (text.empty()) return otherwise;
+    double value = -1.0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
+    if (!whole || !(value >= 0.0 && value <= 1.0))
+      throw contradiction(fmt::format("option {} is '{}'", name, text));
     return value;
   };
   const bool early = option("early-stopping") == "on";
   const SplitOptions parts{.training_fraction = fraction("split", 1.0),
                            .validation_fraction = early ? fraction("validation-fraction", 0.0) : 0.0};
-  const std::uint64_t seed = result.identification.seed;
-  const bool by_mount = option("split-by") == "mount" && record.mount.size() == record.rows();
-  Split split = by_mount ? split_mounts(record.mount, parts, seed) : split_rows(record.rows(), parts, seed);
-  const auto& made = result.identification;
+  const bool by_mount = option("split-by") == "mount";
+  if (by_mount && record.mount.size() != record.rows())
+    throw contradiction("no mounts, and option split-by is mount");
+  Split split =
+      by_mount ? split_mounts(record.mount, parts, made.seed) : split_rows(record.rows(), parts, made.seed);
   const auto counts = [](const std::optional<Metrics>& part, const std::vector<std::size_t>& rows) {
     return (part ? part->n : 0) == rows.size();
   };
   if (!counts(made.train, split.training) || !counts(made.validation, split.validation) ||
       !counts(made.test, split.test))
-    throw Error(ErrorKind::bad_data,
-                fmt::format("{}: {}, which the result's options divide otherwise than the result says; the "
-                            "result was made from another record, or changed",
-                            record.source, amount_text(record.rows(), "row")));
+    throw contradiction(fmt::format("{} training, {} validation and {} test rows by the options",
+                                    split.training.size(), split.validation.size(), split.test.size()));
   return split;
 }
 

@@ -60,7 +60,7 @@ void add_language(CLI::App& verb, CommonFlags& flags) {
   };
   verb.add_option_function<std::string>("--lang", take,
                                         "Language of tables and findings: English or Chinese (default en); "
-                                        "files and errors stay in English")
+                                        "reports open in it; other files and errors are in English")
       ->type_name(list_of(kLanguageWords, "|"))
       ->take_last();
 }
@@ -87,15 +87,17 @@ void add_report_file(CLI::App& verb, std::string& path) {
 }
 
 std::string today() {
-  std::time_t now = std::time(nullptr);
-  // The date that a build or a test sets (reproducible-builds.org).
-  if (const char* const fixed = std::getenv("SOURCE_DATE_EPOCH"); fixed != nullptr) {
-    const std::string_view text = fixed;
-    std::from_chars(text.data(), text.data() + text.size(), now);
-  }
   std::tm date{};
-  gmtime_r(&now, &date);
-  return fmt::format("{:04}-{:02}-{:02}", date.tm_year + 1900, date.tm_mon + 1, date.tm_mday);
+  const char* const fixed = std::getenv("SOURCE_DATE_EPOCH");  // reproducible-builds.org
+  std::time_t seconds = 0;
+  const std::string_view text = fixed == nullptr ? std::string_view() : fixed;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const bool is_fixed = !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
+  if (!is_fixed) seconds = std::time(nullptr);
+  constexpr int kFirstYear = 1900, kLastYear = 9999;
+  const std::tm* const made = is_fixed ? gmtime_r(&seconds, &date) : localtime_r(&seconds, &date);
+  if (made == nullptr || date.tm_year + kFirstYear > kLastYear) return {};
+  return fmt::format("{:04}-{:02}-{:02}", date.tm_year + kFirstYear, date.tm_mon + 1, date.tm_mday);
 }
 
 }  // namespace proofmass::cli

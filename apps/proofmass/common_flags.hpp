@@ -29,7 +29,7 @@ CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& pa
 void add_json(CLI::App& verb, std::string& path);
 void add_report_file(CLI::App& verb, std::string& path);
 
-// The date, UTC, as 2026-11-28.
+// The date here, as 2026-11-28; by SOURCE_DATE_EPOCH, in UTC, where that is set.
 [[nodiscard]] std::string today();
 
 // Adds an option whose number goes to `set` when the user gives it.

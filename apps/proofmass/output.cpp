@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -116,6 +117,19 @@ void require_other_file(const fs::path& output, std::initializer_list<fs::path> 
     if (fs::equivalent(output, input, ignored)) {
       throw usage_error(fmt::format("'{}' is an input: writing it would destroy it", output.string()));
     }
+  }
+}
+
+void require_distinct_outputs(std::initializer_list<fs::path> outputs) {
+  std::set<fs::path> seen;
+  for (const auto& output : outputs) {
+    if (output.empty()) continue;
+    std::error_code ignored;
+    const fs::path place =
+        output == "-" ? output : fs::weakly_canonical(fs::absolute(output, ignored), ignored);
+    if (!seen.insert(place).second)
+      throw usage_error(
+          fmt::format("'{}' is to be written twice: give each output a file of its own", output.string()));
   }
 }
 

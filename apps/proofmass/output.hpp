@@ -58,6 +58,9 @@ class OutputFiles {
 void require_other_file(const std::filesystem::path& output,
                         std::initializer_list<std::filesystem::path> inputs);
 
+// Throws a usage Error when two outputs are one file, or two are standard output; "" is none.
+void require_distinct_outputs(std::initializer_list<std::filesystem::path> outputs);
+
 // Throws a usage Error when the folder that would hold the file is not there. "-" and "" are always well.
 void require_folder_of(const std::filesystem::path& file);
 

@@ -35,7 +35,8 @@ std::string read_stream(std::FILE* file, const Place& place, std::string_view wh
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path, std::string_view what, std::size_t most) {
-  if (path == "-") return read_stream(stdin, {.file = "standard input", .row = 0, .column = {}}, what, most);
+  if (path == "-")
+    return read_stream(stdin, {.file = std::string(kStandardInput), .row = 0, .column = {}}, what, most);
   const Place place{.file = path.string(), .row = 0, .column = {}};
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw cannot_open(place.file, EISDIR);

@@ -18,7 +18,7 @@ struct Deviations {
 };
 
 // From the truth: in the standard errors of each method itself, which it should know to be about one. From
-// another method: in that one's. A coefficient that the truth or the other method lacks counts as zero there.
+// another method: in that one's. A term that the truth lacks is zero there.
 [[nodiscard]] Deviations deviations(const Comparison& comparison);
 
 // Median, quartiles and whiskers of a sample (Tukey, Exploratory Data Analysis, 1977): whiskers end at the

@@ -82,7 +82,8 @@ void run_compare(const CompareFlags& flags) {
   require_writable_file(flags.json);
   require_other_file(flags.json, {flags.record.path, flags.truth});
   require_writable_file(flags.report);
-  require_other_file(flags.report, {flags.record.path, flags.truth, flags.json});
+  require_other_file(flags.report, {flags.record.path, flags.truth});
+  require_distinct_outputs({flags.json, flags.report});
   std::optional<SimulationPlan> truth;
   if (!flags.truth.empty()) truth = read_simulation(flags.truth);
   ConsoleProgress progress(flags.common.quiet);

@@ -85,10 +85,14 @@ void require_writable(const VerbFlags& flags) {
   require_writable_file(flags.json);
   require_other_file(flags.json, {flags.record.path});
   require_writable_file(flags.report);
-  require_other_file(flags.report, {flags.record.path, flags.json});
-  if (!flags.out.empty()) {
+  require_other_file(flags.report, {flags.record.path});
+  const fs::path out = flags.out;
+  const bool folder = !flags.out.empty();
+  require_distinct_outputs({flags.json, flags.report, folder ? out / "result.json" : "",
+                            folder ? out / "predictions.csv" : "", folder ? out / "history.csv" : ""});
+  if (folder) {
     for (const char* name : {"result.json", "predictions.csv", "history.csv"}) {
-      require_other_file(fs::path(flags.out) / name, {flags.record.path});
+      require_other_file(out / name, {flags.record.path});
     }
   }
   require_writable_folder(flags.out);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/html/report.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "common_flags.hpp"
@@ -13,6 +18,9 @@
 #include "output.hpp"
 #include "proofmass/assess/residuals/record_figures.hpp"
 #include "proofmass/core/error.hpp"
+#include "proofmass/files/sha256.hpp"
+#include "proofmass/files/text_file.hpp"
+#include "proofmass/numeric/parallel.hpp"
 #include "proofmass/pipeline.hpp"
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/text/label.hpp"
@@ -31,60 +39,84 @@ struct ReportFlags {
   std::string out;
 };
 
-// The record that a result was made from, or why it is not at hand.
+// Where the record is that a result was made from, or why it is not at hand.
 struct Found {
-  std::optional<Dataset> record;
+  fs::path place;  // empty: it is not
   Text why;
 };
 
-// Where the result's record is: as the result names it, from here or from beside the result.
-fs::path place_of(const fs::path& input, const fs::path& result) {
-  if (fs::is_regular_file(input)) return input;
-  const fs::path beside = result.parent_path() / input;
-  if (fs::is_regular_file(beside)) return beside;
-  const fs::path named = result.parent_path() / input.filename();
-  return fs::is_regular_file(named) ? named : fs::path();
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
 }
 
-Dataset read(const fs::path& path, const Run& run, const CommonFlags& common, Progress& progress) {
-  return read_record(path, read_options(flags_of(run.provenance), common), progress);
+// Where the result's record is: as the result names it, from here or from beside the result.
+fs::path place_of(const fs::path& input, const fs::path& result) {
+  for (const fs::path& place : {input, result.parent_path() / input, result.parent_path() / input.filename()})
+    if (is_file(place)) return place;
+  return {};
+}
+
+std::string hash_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t kPiece = 1 << 20;
+  std::string piece(kPiece, '\0');
+  Sha256 hash;
+  while (file.read(piece.data(), static_cast<std::streamsize>(kPiece)) || file.gcount() > 0)
+    hash.update(std::string_view(piece).substr(0, static_cast<std::size_t>(file.gcount())));
+  return hash.hex();
 }
 
 // The record given must be the one that the result was made from.
-Found given_record(const ReportFlags& flags, const Run& run, Progress& progress) {
-  Dataset record = read(flags.record, run, flags.common, progress);
-  if (!run.provenance.input_sha256.empty() && record.source_sha256 != run.provenance.input_sha256) {
-    throw Error(ErrorKind::bad_data,
-                flags.record + ": is not the record that " + flags.result +
-                    " was made from: its SHA-256 is " + record.source_sha256 + ", the result's record has " +
-                    run.provenance.input_sha256 +
-                    "; give that record, or leave the option out for a report without figures of rows");
+fs::path given_record(const ReportFlags& flags, const Run& run) {
+  if (!is_file(flags.record)) throw usage_error(fmt::format("cannot open '{}': no such file", flags.record));
+  const std::string hash = hash_of(flags.record);
+  if (hash != run.provenance.input_sha256) {
+    throw Error(
+        ErrorKind::bad_data,
+        fmt::format("{} is not the record that {} was made from: its SHA-256 is {}, that of the result's "
+                    "record {}; give that record, or leave the option out for a report without figures of "
+                    "rows",
+                    flags.record, flags.result, hash, run.provenance.input_sha256));
   }
-  return {.record = std::move(record), .why = {}};
+  return flags.record;
 }
 
-Found find_record(const ReportFlags& flags, const Run& run, Progress& progress) {
-  if (!flags.record.empty()) return given_record(flags, run, progress);
+// What is not at hand is said on standard error too: the page alone may not be looked at.
+Found without_record(Text why) {
+  std::fputs(fmt::format("proofmass: {}\n", why.en).c_str(), stderr);
+  return {.place = {}, .why = std::move(why)};
+}
+
+Found find_record(const ReportFlags& flags, const Run& run) {
+  if (!flags.record.empty()) return {.place = given_record(flags, run), .why = {}};
   const std::string& input = run.provenance.input;
-  if (input.empty() || input == "-") return {.record = {}, .why = text_of(Label::absent_unnamed)};
+  if (run.provenance.input_sha256.empty() || input == kStandardInput)
+    return without_record(text_of(Label::absent_unnamed));
   const fs::path place = place_of(input, flags.result);
-  if (place.empty()) return {.record = {}, .why = text_of(Label::absent_not_found, {{"file", input}})};
-  Found found{.record = read(place, run, flags.common, progress), .why = {}};
-  if (found.record->source_sha256 != run.provenance.input_sha256)
-    return {.record = {}, .why = text_of(Label::absent_changed, {{"file", place.string()}})};
-  return found;
+  if (place.empty()) return without_record(text_of(Label::absent_not_found, {{"file", input}}));
+  if (hash_of(place) != run.provenance.input_sha256)
+    return without_record(text_of(Label::absent_changed, {{"file", place.string()}}));
+  return {.place = place, .why = {}};
+}
+
+std::optional<RecordFigures> read_figures(const fs::path& place, const Run& run, const ReportFlags& flags) {
+  if (place.empty()) return std::nullopt;
+  ConsoleProgress progress(flags.common.quiet);
+  const Dataset record = read_record(place, read_options(flags_of(run.provenance), flags.common), progress);
+  progress.clear();
+  return record_figures(record, split_again(record, run), run.identification);
 }
 
 void run_report(const ReportFlags& flags) {
   require_writable_file(flags.out);
   require_other_file(flags.out, {flags.result, flags.record});
   const Run run = read_result(flags.result);
-  ConsoleProgress progress(flags.common.quiet);
-  const Found found = find_record(flags, run, progress);
-  progress.clear();
-  std::optional<RecordFigures> figures;
-  if (found.record)
-    figures = record_figures(*found.record, split_again(*found.record, run), run.identification);
+  const Found found = find_record(flags, run);
+  require_other_file(flags.out, {found.place});
+  const InterruptGuard guard;
+  const ThreadLimit limit(flags.common.threads);
+  const std::optional<RecordFigures> figures = read_figures(found.place, run, flags);
   const RecordFigures* const shown = figures ? &*figures : nullptr;
   OutputFiles files;
   files.add(flags.out,

@@ -22,7 +22,7 @@ std::size_t bins_of(const std::vector<double>& sorted, std::size_t most) {
   const double quartiles = sorted[3 * sorted.size() / 4] - sorted[sorted.size() / 4];
   const double range = sorted.back() - sorted.front();
   const double width = 2.0 * quartiles / std::cbrt(n);
-  if (!(width > 0.0) || range / width > static_cast<double>(most)) return most;
+  if (!(width > 0.0) || !(range / width <= static_cast<double>(most))) return most;
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(range / width)));
 }
 
@@ -39,7 +39,8 @@ void take_moments(Histogram& made, const std::vector<double>& values) {
 Histogram histogram(std::span<const double> values, std::size_t most) {
   const std::vector<double> sorted = sorted_finite(values);
   Histogram made;
-  if (sorted.size() < 2 || !(sorted.back() > sorted.front())) return made;
+  const double range = sorted.empty() ? 0.0 : sorted.back() - sorted.front();
+  if (sorted.size() < 2 || !std::isnormal(range)) return made;
   const std::size_t bins = bins_of(sorted, most);
   made.low = sorted.front();
   made.width = (sorted.back() - sorted.front()) / static_cast<double>(bins);
@@ -47,6 +48,7 @@ Histogram histogram(std::span<const double> values, std::size_t most) {
   for (const double v : sorted)
     ++made.counts[std::min(static_cast<std::size_t>((v - made.low) / made.width), bins - 1)];
   take_moments(made, sorted);
+  if (!std::isnormal(made.sd)) return {};
   const boost::math::normal normal(made.mean, made.sd);
   for (std::size_t k = 0; k < bins; ++k) {
     const double from = made.low + made.width * static_cast<double>(k);

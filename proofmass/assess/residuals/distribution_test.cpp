@@ -40,6 +40,9 @@ TEST(Histogram, HasNoBinsOfValuesThatAreAlikeOrNoNumbers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(histogram(std::vector<double>{1.0, 1.0, 1.0}).counts.empty());
   EXPECT_TRUE(histogram(std::vector<double>{nan, 1.0}).counts.empty());
+  EXPECT_TRUE(histogram(std::vector<double>{-1e308, 0.0, 1e308}).counts.empty());
+  EXPECT_TRUE(histogram(std::vector<double>{0.0, 1e-310, 2e-310}).counts.empty());
+  EXPECT_TRUE(histogram(std::vector<double>{0.0, 1e-200, 2e-200}).counts.empty());
   EXPECT_LE(histogram(std::vector<double>{0.0, 1.0, 2.0, 3.0, 4.0, 1e9}).counts.size(), 60U);
 }
 

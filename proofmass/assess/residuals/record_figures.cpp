@@ -50,6 +50,11 @@ RecordFigures record_figures(const Dataset& record, const Split& split, const Id
   made.record = record.select(made.numbers);
   made.record.line = record.lines_of(made.numbers);
   made.rows = at_rows(all, made.numbers);
+  for (const std::size_t number : made.numbers) {
+    const auto place = std::lower_bound(split.test.begin(), split.test.end(), number);
+    if (place != split.test.end() && *place == number)
+      made.test_ranks.push_back(static_cast<std::size_t>(place - split.test.begin()) + 1);
+  }
   made.total_rows = record.rows();
   made.histogram = histogram(fitted);
   made.quantiles = normal_quantiles(fitted);

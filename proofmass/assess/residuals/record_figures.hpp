@@ -13,9 +13,10 @@ namespace proofmass {
 // What a report shows of the rows of a record beside a fit to some of them. Of a long record some rows are
 // drawn, with all extremes; whatever is counted is counted over all of them.
 struct RecordFigures {
-  Dataset record;                    // the rows that are drawn, with the lines that they came from
-  RowFigures rows;                   // of those
-  std::vector<std::size_t> numbers;  // of those, among all rows, from 0
+  Dataset record;                       // the rows that are drawn, with the lines that they came from
+  RowFigures rows;                      // of those
+  std::vector<std::size_t> numbers;     // of those, among all rows, from 0
+  std::vector<std::size_t> test_ranks;  // of those for testing, among all rows for testing, from 1
   std::size_t total_rows = 0;
   Histogram histogram;                        // of the residuals of all rows that were fitted
   NormalQuantiles quantiles;                  // of the same

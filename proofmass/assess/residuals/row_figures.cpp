@@ -11,9 +11,13 @@
 namespace proofmass {
 namespace {
 
-// Methods whose rows all count alike unless the fit says otherwise. A result file does not keep the weights.
-bool knows_weights(const Identification& result, std::size_t rows) {
-  return !result.network && (result.row_weights.values.size() == rows || result.method == "ols");
+// Least squares with weights that are the same whatever the outputs. A robust fit gives a row far off no
+// weight, and an influence of zero would hide it; errors in variables have no hat matrix. A result file does
+// not keep weights, and those of ols are all alike.
+bool is_least_squares(const Identification& result, std::size_t rows) {
+  if (result.network || result.method == "eiv" || result.method == "tls" || !result.row_weights.fixed)
+    return false;
+  return result.row_weights.values.size() == rows || result.method == "ols";
 }
 
 // Of residuals of one in every row, the deletion residual is 1 / (1 - h).
@@ -63,7 +67,7 @@ RowFigures row_figures(const Dataset& record, const Split& split, const Identifi
   for (std::size_t row = 0; row < record.rows(); ++row)
     figures.residuals[row] = record.output[row] - figures.predicted[row];
   const bool some_left = split.training.size() > result.static_model().terms.size();
-  if (some_left && knows_weights(result, split.training.size()))
+  if (some_left && is_least_squares(result, split.training.size()))
     add_influence(figures, record, split, result);
   return figures;
 }

@@ -15,10 +15,10 @@ struct RowFigures {
   std::vector<Part> parts;
   std::vector<double> predicted;
   std::vector<double> residuals;  // measured minus predicted
-  // Influence of the rows that were fitted, NaN for the others; empty for a network, and where the weights of
-  // the rows are not known. The leverage is the diagonal of the hat matrix, the studentised residual the
-  // residual over its own standard deviation, and Cook's distance D = t² h / ((1 - h) p) for p coefficients
-  // (Cook, Technometrics 19, 1977).
+  // Influence of the rows that were fitted, NaN for the others; empty for a fit that is not
+  // least squares with known weights. The leverage is the diagonal of the hat matrix, the studentised
+  // residual the residual over its own standard deviation, and Cook's distance D = t² h / ((1 - h) p) for p
+  // coefficients (Cook, Technometrics 19, 1977).
   std::vector<double> leverage, studentised, cooks_distance;
 };
 

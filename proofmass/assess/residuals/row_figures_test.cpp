@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -64,12 +65,41 @@ TEST(RowFigures, OfRowsThatWereNotFittedHaveNoInfluence) {
   }
 }
 
-TEST(RowFigures, LeaveOutInfluenceWhereWeightsAreNotKnown) {
-  const Dataset record = noisy_line(40, 9);
-  auto run = identify(record, Robust{}, kQuadratic);
-  EXPECT_EQ(row_figures(record, run.split, run.identification).leverage.size(), 40U);
-  run.identification.row_weights = {};  // as read from a result file
-  EXPECT_TRUE(row_figures(record, run.split, run.identification).leverage.empty());
+TEST(RowFigures, WeighTheRowsAsTheFitDoes) {
+  Dataset record = noisy_line(30, 9);
+  record.output_sigma.assign(30, 1e-5);
+  record.output_sigma[4] = 1e-6;
+  const auto run = identify(record, Wls{}, kQuadratic);
+  const RowFigures figures = row_figures(record, run.split, run.identification);
+  // A row of a tenth of the sigma counts a hundred times: the fit follows it.
+  EXPECT_GT(figures.leverage[4], 0.5);
+  EXPECT_NEAR(std::accumulate(figures.leverage.begin(), figures.leverage.end(), 0.0), 3.0, 1e-9);
+}
+
+TEST(RowFigures, HaveNoInfluenceWhereAFitIsNotLeastSquaresWithKnownWeights) {
+  Dataset record = noisy_line(40, 9);
+  record.output[7] += 1.0;
+  const auto robust = identify(record, Robust{}, kQuadratic);
+  EXPECT_TRUE(row_figures(record, robust.split, robust.identification).leverage.empty());
+  record.output_sigma.assign(40, 1e-5);
+  auto weighted = identify(record, Wls{}, kQuadratic);
+  EXPECT_EQ(row_figures(record, weighted.split, weighted.identification).leverage.size(), 40U);
+  weighted.identification.row_weights = {};  // as read from a result file
+  EXPECT_TRUE(row_figures(record, weighted.split, weighted.identification).leverage.empty());
+}
+
+// Sixteen levels in turn: each is drawn about as often as another.
+TEST(ShownRows, DoNotFallInWithTheLevelsOfATestPlan) {
+  Dataset record;
+  for (std::size_t k = 0; k < 57'585; ++k) {
+    record.acceleration[0].push_back(static_cast<double>(k % 16) - 8.0);
+    record.output.push_back(record.acceleration[0].back() + 1e-9 * static_cast<double>(k % 7));
+  }
+  const auto run = identify(record, Ols{}, {.terms = {Term::K0, Term::Ki}});
+  const RecordFigures figures = record_figures(record, run.split, run.identification);
+  std::array<std::size_t, 16> drawn{};
+  for (const std::size_t number : figures.numbers) ++drawn.at(number % 16);
+  for (const std::size_t count : drawn) EXPECT_GT(count, 150U);
 }
 
 TEST(ShownRows, KeepEveryExtremeOfALongRecord) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "proofmass/assess/diagnosis/record/thinned_rows.hpp"
+
 namespace proofmass {
 namespace {
 
@@ -34,9 +36,8 @@ std::vector<std::size_t> shown_rows(const Dataset& record, const RowFigures& fig
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   if (n <= most) return rows;
   constexpr std::size_t kFew = 4;
-  const std::size_t evenly = most * 9 / 10;
-  rows.resize(evenly);
-  for (std::size_t k = 0; k < evenly; ++k) rows[k] = k * (n - 1) / (evenly - 1);
+  // One of each stretch, at a place drawn at random: equal steps may fall in with the levels of a test plan.
+  rows = thinned_rows(n, most * 9 / 10);
   add_ends(rows, figures.residuals, most / 40);
   add_ends(rows, figures.cooks_distance, most / 100);
   add_ends(rows, figures.leverage, kFew);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/files/text_file.hpp"
 
 namespace proofmass {
 namespace {
@@ -78,7 +79,7 @@ void ChunkReader::Close::operator()(std::FILE* file) const noexcept {
 
 ChunkReader::ChunkReader(const std::filesystem::path& path, std::optional<Encoding> encoding,
                          Progress& progress)
-    : name_(path == "-" ? "standard input" : path.string()),
+    : name_(path == "-" ? std::string(kStandardInput) : path.string()),
       file_(open(path, name_)),
       progress_(progress),
       size_(size_of(file_.get())),

@@ -24,15 +24,17 @@ EndingJson json_of_parts(const std::vector<EndingPart>& parts) {
   return json;
 }
 
-// Nothing where a code is not known.
-std::optional<std::vector<EndingPart>> parts_of(const JsonNode& node) {
+// Nothing where a code is not known, or parts lie deeper within one another than any method writes them.
+std::optional<std::vector<EndingPart>> parts_of(const JsonNode& node, int depth = 0) {
+  constexpr int kDeepest = 8;
+  if (depth > kDeepest) return std::nullopt;
   std::vector<EndingPart> parts;
   for (const JsonNode& item : node.items()) {
     const std::optional<EndingCode> code = find_ending_code(item.at("code").text());
     if (!code) return std::nullopt;
     EndingPart part{.code = *code, .figures = figures_of(item.at("figures"))};
     if (const auto within = item.find("parts")) {
-      std::optional<std::vector<EndingPart>> known = parts_of(*within);
+      std::optional<std::vector<EndingPart>> known = parts_of(*within, depth + 1);
       if (!known) return std::nullopt;
       part.parts = std::move(*known);
     }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/plot/interactive.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -14,14 +17,41 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string as_floats(const std::vector<double>& values) {
+template <typename Bits>
+std::string packed(const std::vector<double>& values, Bits (*bits_of)(double)) {
   std::string bytes;
-  bytes.reserve(4 * values.size());
+  bytes.reserve(sizeof(Bits) * values.size());
   for (const double value : values) {
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>((bits >> shift) & 0xFFU);
+    const Bits bits = bits_of(value);
+    for (unsigned shift = 0; shift < 8 * sizeof(Bits); shift += 8)
+      bytes += static_cast<char>((bits >> shift) & 0xFFU);
   }
   return base64(bytes);
+}
+
+// Whether single precision tells the values apart as well as a screen does: not those of a clock, or beyond
+// its range.
+bool suit_floats(const std::vector<double>& values) {
+  constexpr double kLeastSpan = 1e-3;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  const double largest = std::max(std::abs(low), std::abs(high));
+  return low > high ||
+         (largest < std::numeric_limits<float>::max() && (high == low || high - low > kLeastSpan * largest) &&
+          high - low > std::numeric_limits<float>::min());
+}
+
+// "f" or "d", for single or double precision, and the values.
+std::string as_text(const std::vector<double>& values) {
+  if (suit_floats(values))
+    return "f" + packed<std::uint32_t>(
+                     values, [](double v) { return std::bit_cast<std::uint32_t>(static_cast<float>(v)); });
+  return "d" + packed<std::uint64_t>(values, [](double v) { return std::bit_cast<std::uint64_t>(v); });
 }
 
 Json words(const Text& text) { return Json::array({text.en, text.zh}); }
@@ -41,7 +71,7 @@ std::string_view name_of(Mark mark) {
 }  // namespace
 
 std::size_t InteractiveFigures::column(const std::vector<double>& values) {
-  const auto [place, is_new] = numbers_.try_emplace(as_floats(values), columns_.size());
+  const auto [place, is_new] = numbers_.try_emplace(as_text(values), columns_.size());
   if (is_new) columns_.push_back(place->first);
   return place->second;
 }

@@ -11,13 +11,13 @@
 
 namespace proofmass {
 
-// Collects figures; columns that several share are stored once, in single precision.
+// Collects figures; columns that several share are stored once, in single precision where that suits them.
 class InteractiveFigures {
  public:
   void add(const Drawing& figure);
   [[nodiscard]] bool empty() const noexcept { return figures_.empty(); }
-  // {"columns": [base64 of little-endian float32, ...], "figures": [...]}; free of "<", so that it can stand
-  // in HTML.
+  // {"columns": ["f" and base64 of little-endian float32, or "d" and of float64, ...], "figures": [...]};
+  // free of "<", so that it can stand in HTML.
   [[nodiscard]] std::string json() const;
 
  private:

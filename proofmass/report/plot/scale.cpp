@@ -68,12 +68,14 @@ std::vector<std::string> tick_texts(const Scale& scale, const std::vector<double
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1.0;
   const double largest = ticks.empty() ? 0.0 : std::max(std::abs(ticks.front()), std::abs(ticks.back()));
   const int decimals = static_cast<int>(std::ceil(-std::log10(std::abs(step)) - 1e-9));
+  const int digits =
+      std::clamp(static_cast<int>(std::ceil(std::log10(largest / std::abs(step)) + 1e-9)) + 1, 1, 15);
   constexpr double kPlainFrom = 1e-4, kPlainTo = 1e6;
   for (const double tick : ticks) {
     if (scale.log()) {
       texts.push_back(power_of_ten(static_cast<int>(std::lround(std::log10(tick)))));
     } else if (largest >= kPlainTo || step < kPlainFrom) {
-      texts.push_back(typeset(fmt::format("{:.3g}", tick)));
+      texts.push_back(typeset(fmt::format("{:.{}g}", tick, digits)));
     } else {
       texts.push_back(typeset(fmt::format("{:.{}f}", tick, std::max(decimals, 0))));
     }

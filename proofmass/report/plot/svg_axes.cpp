@@ -15,8 +15,10 @@ struct Tick {
 std::vector<Tick> ticks_of(const ChartAxis& axis, const Scale& scale) {
   std::vector<Tick> found;
   if (!axis.categories.empty()) {
-    for (std::size_t k = 0; k < axis.categories.size(); ++k)
+    for (std::size_t k = 0; k < axis.categories.size(); ++k) {
+      if (axis.categories[k].en.empty()) continue;  // too many to name
       found.push_back({scale.place(static_cast<double>(k)), axis.categories[k]});
+    }
     return found;
   }
   const std::vector<double> values = scale.ticks();

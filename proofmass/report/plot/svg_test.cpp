@@ -125,7 +125,7 @@ TEST(InteractiveFigures, StoreAColumnOnceAndHoldNoMarkup) {
   figures.add(chart_of({.name = {"</script>", "甲"}, .x = {1.0, 2.0}, .y = {1.0, 2.0}}));
   figures.add(HeatMap{.id = "h", .title = {}, .labels = {}, .values = {}});  // stays a drawing
   const std::string json = figures.json();
-  EXPECT_EQ(count(json, "AACAPwAAAEA="), 1U);  // 1.0f and 2.0f
+  EXPECT_EQ(count(json, "fAACAPwAAAEA="), 1U);  // 1.0f and 2.0f
   EXPECT_THAT(json, HasSubstr(R"("x":0,"y":0)"));
   EXPECT_THAT(json, Not(HasSubstr("<")));
   EXPECT_EQ(count(json, "\"id\""), 1U);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/text/findings.hpp"
 #include "proofmass/report/text/label.hpp"
@@ -32,6 +34,14 @@ std::string_view figure_along_axis(const Finding& finding) {
     if (*word == "Ap") return "residuals-ap";
   }
   return "residuals-ai";
+}
+
+// A label such as "1e2" or "-5": it stays as the record has it, and with it the sentence.
+bool has_name_like_a_number(const Finding& finding) {
+  return std::any_of(finding.figures.begin(), finding.figures.end(), [](const Figure& figure) {
+    const auto* const word = std::get_if<std::string>(&figure.value);
+    return word != nullptr && typeset(*word) != *word;
+  });
 }
 
 }  // namespace
@@ -95,7 +105,11 @@ std::string_view figure_of(const Finding& finding) {
 }
 
 std::string finding(const Finding& found) {
-  const Text text{typeset(sentence(found, Language::en)), typeset(sentence(found, Language::zh))};
+  const auto words = [&](Language language) {
+    const std::string said = sentence(found, language);
+    return has_name_like_a_number(found) ? said : typeset(said);
+  };
+  const Text text{words(Language::en), words(Language::zh)};
   const std::string kind = found.severity == Severity::warning ? "finding warning" : "finding";
   return element(
       "div",

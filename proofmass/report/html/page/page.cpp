@@ -26,13 +26,11 @@ std::string script_hash(std::string_view script) {
   return "'sha256-" + base64(bytes) + "'";
 }
 
-// No network at all: only what the file itself holds. The plotting library compiles code of its own for
-// drawing in space, and is started by our script alone.
+// No network at all: only what the file itself holds. Our script runs by its hash, and what it loads, the
+// plotting library, by its trust.
 std::string policy(bool live) {
   const std::string scripts =
-      live ? fmt::format("script-src {} 'strict-dynamic' 'unsafe-eval'; worker-src blob:; ",
-                         script_hash(page_script()))
-           : std::string();
+      live ? fmt::format("script-src {} 'strict-dynamic'; ", script_hash(page_script())) : std::string();
   return "default-src 'none'; " + scripts +
          "style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'";
 }

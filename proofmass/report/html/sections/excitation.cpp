@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/html/page/findings.hpp"
 #include "proofmass/report/html/page/html.hpp"
+#include "proofmass/report/html/sections/parts_internal.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
 
 namespace proofmass::html {
@@ -20,11 +21,11 @@ std::optional<Section> excitation_section(const IdentificationContext& context) 
                        .z = column(Axis::pendulous)};
   const std::string shown =
       figure(plot, context.interactive, findings_of(context.run.identification.findings, plot.id));
-  return Section{
-      .id = "excitation",
-      .title = Label::excitation,
-      .body = paragraph(text_of(Label::excitation_text)) + element("div", shown, "class=\"figures\""),
-      .short_ = true};
+  return Section{.id = "excitation",
+                 .title = Label::excitation,
+                 .body = thinning_note(*context.record) + paragraph(text_of(Label::excitation_text)) +
+                         element("div", shown, "class=\"figures\""),
+                 .short_ = true};
 }
 
 }  // namespace proofmass::html

@@ -32,11 +32,7 @@ std::optional<Section> fit_section(const IdentificationContext& context) {
                             .y = {*low, *high},
                             .mark = Mark::dashes,
                             .colour = 5});
-  std::string body;
-  if (record.numbers.size() < record.total_rows) {
-    body =
-        paragraph(text_of(Label::thinned, {{"count", record.numbers.size()}, {"total", record.total_rows}}));
-  }
+  std::string body = thinning_note(record);
   body += element(
       "div", figure(chart, context.interactive, findings_of(context.run.identification.findings, chart.id)),
       "class=\"figures\"");

@@ -48,9 +48,10 @@ std::optional<Section> influence_section(const IdentificationContext& context) {
       .y = {.label = text_of(Label::cook)},
       .series = {{.name = {}, .x = numbers, .y = record.rows.cooks_distance, .mark = Mark::points}}};
   const std::string figures = figure(leverage, context.interactive) + figure(cook, context.interactive);
-  return Section{.id = "influence",
-                 .title = Label::influence,
-                 .body = element("div", figures, "class=\"figures\"") + table_of(context)};
+  return Section{
+      .id = "influence",
+      .title = Label::influence,
+      .body = thinning_note(record) + element("div", figures, "class=\"figures\"") + table_of(context)};
 }
 
 }  // namespace proofmass::html

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/parts_internal.hpp"
 
 namespace proofmass::html {
@@ -48,6 +49,11 @@ std::vector<Series> series_by_part(const RecordFigures& record, const std::vecto
   }
   if (made.size() == 1) made.front().name = {};
   return made;
+}
+
+std::string thinning_note(const RecordFigures& record) {
+  if (record.numbers.size() == record.total_rows) return {};
+  return paragraph(text_of(Label::thinned, {{"count", record.numbers.size()}, {"total", record.total_rows}}));
 }
 
 }  // namespace proofmass::html

@@ -2,6 +2,7 @@
 // What the sections that draw rows share.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "proofmass/report/html/page/section.hpp"
@@ -20,5 +21,8 @@ namespace proofmass::html {
 // y over x, a series for each part of the record that has rows.
 [[nodiscard]] std::vector<Series> series_by_part(const RecordFigures& record, const std::vector<double>& x,
                                                  const std::vector<double>& y);
+
+// A paragraph that says how many rows are drawn, where it is not all of them.
+[[nodiscard]] std::string thinning_note(const RecordFigures& record);
 
 }  // namespace proofmass::html

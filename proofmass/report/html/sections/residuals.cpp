@@ -34,23 +34,33 @@ Along along_order(const RecordFigures& figures) {
   return made;
 }
 
-// By number where the labels are too many to stand below the axis.
+std::string shortened(const std::string& label) {
+  constexpr std::size_t kMost = 24;
+  if (display_width(label) <= kMost) return label;
+  std::string text;
+  for (std::string_view rest = label; !rest.empty() && display_width(text) + 2 < kMost;) {
+    const std::string_view next = first_character(rest).bytes;
+    text += next;
+    rest.remove_prefix(next.size());
+  }
+  return text + "…";
+}
+
+// As many labels as fit below the axis: each, or each second, and so on.
 Along along_mounts(const Dataset& record) {
-  constexpr std::size_t kMostNamed = 12;
-  constexpr std::size_t kMostColumns = 48;
+  constexpr std::size_t kMostColumns = 56;
   Along made{
       .id = "mount", .what = text_of(Label::mount), .unit = {}, .values = std::vector<double>(record.rows())};
   const auto mounts = rows_by_mount(record.mount);
-  std::size_t columns = 0;
+  std::size_t widest = 1;
   for (std::size_t k = 0; k < mounts.size(); ++k) {
     for (const std::size_t row : mounts[k]) made.values[row] = static_cast<double>(k);
-    made.categories.push_back(same_text(record.mount[mounts[k].front()]));
-    columns += display_width(made.categories.back().en);
+    widest = std::max(widest, display_width(record.mount[mounts[k].front()]) + 1);
   }
-  if (mounts.size() > kMostNamed || columns > kMostColumns) {
-    made.categories.clear();
-    for (double& v : made.values) v += 1.0;
-  }
+  const std::size_t room = std::max<std::size_t>(1, kMostColumns / widest);
+  const std::size_t step = (mounts.size() + room - 1) / room;
+  for (std::size_t k = 0; k < mounts.size(); ++k)
+    made.categories.push_back(k % step == 0 ? same_text(shortened(record.mount[mounts[k].front()])) : Text());
   return made;
 }
 
@@ -101,8 +111,9 @@ std::optional<Section> residuals_section(const IdentificationContext& context) {
                       .guides = {{.at = 0.0}}};
     figures += figure(chart, context.interactive, findings_of(context.run.identification.findings, chart.id));
   }
-  return Section{
-      .id = "residuals", .title = Label::residuals, .body = element("div", figures, "class=\"figures\"")};
+  return Section{.id = "residuals",
+                 .title = Label::residuals,
+                 .body = thinning_note(record) + element("div", figures, "class=\"figures\"")};
 }
 
 }  // namespace proofmass::html

@@ -15,7 +15,7 @@ std::optional<Section> test_rows_section(const IdentificationContext& context) {
   std::vector<double> error;
   for (std::size_t k = 0; k < record.rows.parts.size(); ++k) {
     if (record.rows.parts[k] != Part::test) continue;
-    number.push_back(static_cast<double>(number.size() + 1));
+    number.push_back(static_cast<double>(record.test_ranks[number.size()]));
     measured.push_back(record.record.output[k]);
     predicted.push_back(record.rows.predicted[k]);
     error.push_back(record.rows.residuals[k]);
@@ -46,7 +46,7 @@ std::optional<Section> test_rows_section(const IdentificationContext& context) {
   const std::string figures = figure(predictions, context.interactive) + figure(errors, context.interactive);
   return Section{.id = "test-rows",
                  .title = Label::test_rows,
-                 .body = element("div", figures, "class=\"figures\""),
+                 .body = thinning_note(record) + element("div", figures, "class=\"figures\""),
                  .short_ = true};
 }
 

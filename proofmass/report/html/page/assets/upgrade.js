@@ -5,10 +5,14 @@
   const text = (id) => document.getElementById(id).textContent;
   const bytes = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
   const data = JSON.parse(text('figure-data'));
-  const columns = data.columns.map((base64) => Array.from(new Float32Array(bytes(base64).buffer)));
+  const column = (packed) => {
+    const buffer = bytes(packed.slice(1)).buffer;
+    return Array.from(packed[0] === 'd' ? new Float64Array(buffer) : new Float32Array(buffer));
+  };
+  const columns = data.columns.map(column);
   const chinese = () => document.getElementById('lang-zh').checked;
-  const say = (words) => words[chinese() ? 1 : 0];
-  const dark = () => matchMedia('(prefers-color-scheme: dark)').matches;
+  // The library takes markup and entities in texts: what comes from a record must stay as it is.
+  const say = (words) => words[chinese() ? 1 : 0].replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');
   const shown = new Map();
 
   // The library is in the file, compressed.
