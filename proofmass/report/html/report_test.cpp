@@ -10,6 +10,7 @@
 #include "proofmass/report/html/page/assets.hpp"
 #include "proofmass/report/html/page/findings.hpp"
 #include "proofmass/report/text/label.hpp"
+#include "support/text.hpp"
 
 namespace proofmass {
 namespace {
@@ -48,19 +49,13 @@ struct Made {
   }
 };
 
-std::size_t count(const std::string& text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
-
 TEST(Report, HasEveryPartThatThereAreDataFor) {
   const std::string page = Made(record_of(60)).page({.date = "2026-11-28"});
   for (const char* id : {"verdict", "coefficients", "scores", "fit", "residuals", "distribution",
                          "nonlinearity", "correlations", "influence", "excitation", "ending", "settings"})
-    EXPECT_EQ(count(page, "<section id=\"" + std::string(id) + "\""), 1U) << id;
+    EXPECT_EQ(test::occurrences(page, "<section id=\"" + std::string(id) + "\""), 1U) << id;
   for (const char* along : {"ai", "ao", "ap", "magnitude", "order", "time", "temperature", "mount"})
-    EXPECT_EQ(count(page, "id=\"figure-residuals-" + std::string(along) + "\""), 1U) << along;
+    EXPECT_EQ(test::occurrences(page, "id=\"figure-residuals-" + std::string(along) + "\""), 1U) << along;
   for (const char* absent : {"training", "test-rows"})
     EXPECT_THAT(page, Not(HasSubstr("<section id=\"" + std::string(absent)))) << absent;
   EXPECT_THAT(page, HasSubstr("2026-11-28"));
@@ -105,7 +100,7 @@ TEST(Report, EscapesWhateverARecordOrAResultSays) {
     const std::string page = made.page({.date = std::string(kHostile), .interactive = interactive});
     EXPECT_THAT(page, Not(HasSubstr("<img")));
     EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
-    EXPECT_EQ(count(page, "</script>"), count(page, "<script"));
+    EXPECT_EQ(test::occurrences(page, "</script>"), test::occurrences(page, "<script"));
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "proofmass/report/plot/interactive.hpp"
 #include "proofmass/report/plot/scale.hpp"
+#include "support/text.hpp"
 
 namespace proofmass {
 namespace {
@@ -17,12 +18,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t count(const std::string& text, std::string_view part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
 
 Chart chart_of(Series series, bool log = false) {
   return {.id = "c",
@@ -63,7 +58,7 @@ TEST(Svg, DrawsOnePointForAllThatFallOnOnePlace) {
     dots.x.push_back(k % 10 + 1e-9 * k);
     dots.y.push_back(k % 10);
   }
-  EXPECT_EQ(count(render_svg(chart_of(dots)), "h0"), 10U);
+  EXPECT_EQ(test::occurrences(render_svg(chart_of(dots)), "h0"), 10U);
 }
 
 TEST(Svg, BreaksALineWhereAValueHasNoPlace) {
@@ -71,7 +66,7 @@ TEST(Svg, BreaksALineWhereAValueHasNoPlace) {
       chart_of({.name = {}, .x = {0.0, 1.0, 2.0, 3.0, 4.0}, .y = {1.0, kNan, 10.0, 0.0, 100.0}}, true));
   const std::size_t at = svg.find("class=\"line s0\"");
   ASSERT_NE(at, std::string::npos);
-  EXPECT_EQ(count(svg.substr(at, svg.find("/>", at) - at), "M"), 3U);
+  EXPECT_EQ(test::occurrences(svg.substr(at, svg.find("/>", at) - at), "M"), 3U);
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
@@ -115,7 +110,7 @@ TEST(Svg, DrawsEveryKindWithoutDividingByZero) {
     const std::string svg = render_svg(drawing);
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
     EXPECT_THAT(svg, Not(HasSubstr("inf")));
-    EXPECT_EQ(count(svg, "<g "), count(svg, "</g>"));
+    EXPECT_EQ(test::occurrences(svg, "<g "), test::occurrences(svg, "</g>"));
   }
 }
 
@@ -125,10 +120,10 @@ TEST(InteractiveFigures, StoreAColumnOnceAndHoldNoMarkup) {
   figures.add(chart_of({.name = {"</script>", "甲"}, .x = {1.0, 2.0}, .y = {1.0, 2.0}}));
   figures.add(HeatMap{.id = "h", .title = {}, .labels = {}, .values = {}});  // stays a drawing
   const std::string json = figures.json();
-  EXPECT_EQ(count(json, "fAACAPwAAAEA="), 1U);  // 1.0f and 2.0f
+  EXPECT_EQ(test::occurrences(json, "fAACAPwAAAEA="), 1U);  // 1.0f and 2.0f
   EXPECT_THAT(json, HasSubstr(R"("x":0,"y":0)"));
   EXPECT_THAT(json, Not(HasSubstr("<")));
-  EXPECT_EQ(count(json, "\"id\""), 1U);
+  EXPECT_EQ(test::occurrences(json, "\"id\""), 1U);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "proofmass/core/utf8.hpp"
 #include "proofmass/report/text/endings.hpp"
 #include "proofmass/report/text/findings.hpp"
+#include "proofmass/report/text/label.hpp"
 #include "proofmass/report/text/templates_internal.hpp"
 
 namespace proofmass {
@@ -200,6 +201,16 @@ TEST(Catalogue, SaysEndingsWithPartsWithinParts) {
   // Of a file that lacks a figure.
   const std::vector<EndingPart> part{{.code = EndingCode::swarm_spent, .figures = {{"rounds", 3.0}}}};
   EXPECT_EQ(sentence(part, Language::zh), "swarm_spent; rounds: 3");
+}
+
+TEST(Catalogue, HasEachLabelInEachLanguage) {
+  for (const Label label : all_labels()) {
+    const Words both = words(label);
+    EXPECT_FALSE(both.en.empty());
+    EXPECT_EQ(placeholders(both.en), placeholders(both.zh)) << both.en;
+    EXPECT_EQ(both.en.ends_with('.'), both.zh.ends_with("。")) << both.en;
+    expect_chinese(both.zh);
+  }
 }
 
 }  // namespace
