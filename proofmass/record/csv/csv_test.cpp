@@ -263,6 +263,9 @@ TEST(ReadRecord, KnowsTheStepInWhichInputsAreWritten) {
   EXPECT_DOUBLE_EQ(record.acceleration_resolution[0], 0.01 / kStandardGravity);
   EXPECT_DOUBLE_EQ(record.acceleration_resolution[1], 1e-4 / kStandardGravity);
   EXPECT_EQ(record.acceleration_resolution[2], 0.0);
+  // A value that is zero but for rounding is not written finer than the others.
+  EXPECT_DOUBLE_EQ(read_text("Ai,E\n0.978148,2\n6.12323e-17,3\n-0.5,1\n").acceleration_resolution[0], 1e-6);
+  EXPECT_DOUBLE_EQ(read_text("Ai,E\n9.78148e-01,2\n6.12323e-17,3\n").acceleration_resolution[0], 1e-6);
   // Whole numbers are positions by name.
   EXPECT_EQ(read_text("Ai,E\n1,2\n-1,3\n0,1\n").acceleration_resolution[0], 0.0);
 }

@@ -144,17 +144,19 @@ void settle_optional_columns(Dataset& record, const RowNotes& notes) {
 
 void settle_decimals(Dataset& record, RowFormat format, const RowNotes& notes, const ReadOptions& options) {
   format.comma_proven = format.decimal_comma && proves_comma(record, format, notes);
-  constexpr int kMostWrittenDecimals =
-      17;  // more are an exponent's, or a program's that prints all digits it has
+  // More are those of a value that is zero but for rounding, as 6.1e-17 for the cosine of a right angle, or
+  // of a program that prints all digits it has: the other values of the column tell how it is written.
+  constexpr unsigned kMostWrittenDecimals = 17;
+  constexpr std::uint32_t kWritten = (std::uint32_t{1} << (kMostWrittenDecimals + 1)) - 1;
   for (const PlacedColumn& p : format.placed) {
     if (p.column == Column::mount || p.column == Column::t || p.column == Column::T) continue;
     const std::uint32_t decimals = notes.decimals[static_cast<std::size_t>(p.column)];
     if (options.decimal == DecimalMark::automatic) require_clear_thousands(record, format, p, decimals);
     static_assert(static_cast<std::size_t>(Column::Ap) == static_cast<std::size_t>(Axis::pendulous));
     const auto axis = static_cast<std::size_t>(p.column);
-    const int most = static_cast<int>(std::bit_width(decimals)) - 1;
+    const int most = static_cast<int>(std::bit_width(decimals & kWritten)) - 1;
     // Whole numbers are nominal positions, "1" and "-1" g, not measurements to the nearest g.
-    if (axis < kAxes.size() && most >= 1 && most <= kMostWrittenDecimals)
+    if (axis < kAxes.size() && most >= 1)
       record.acceleration_resolution[axis] = std::pow(10.0, -most) * p.unit.to_canonical;
   }
 }
