@@ -91,6 +91,16 @@ TEST(DiagnosisOfShift, TakesNoTurnForOne) {
   for (const Finding& finding : diagnose_record(record)) EXPECT_NE(finding.code, Code::rows_shifted);
 }
 
+// A turn by 6.8 degrees makes Ki 0.993: with Ki at 1 the response across has another cause.
+TEST(DiagnosisOfScale, TakesNoSkewForATurn) {
+  Dataset record = test::clean_record();
+  for (std::size_t row = 0; row < record.rows(); ++row)
+    record.output[row] += 0.12 * record.along(Axis::output)[row];
+  const std::vector<Code> said = test::warnings(test::diagnosed(record).identification);
+  EXPECT_EQ(std::count(said.begin(), said.end(), Code::scale_factor_unlike_one), 0);
+  EXPECT_EQ(std::count(said.begin(), said.end(), Code::cross_axis_large), 1);
+}
+
 // A coarse reading of a good instrument equals its inputs.
 TEST(DiagnosisOfCopies, JudgesFineOutputsOnly) {
   for (const double step : {1e-3, 1e-7}) {

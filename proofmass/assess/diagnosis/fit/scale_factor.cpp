@@ -59,9 +59,11 @@ double turn_of(const Identification& result) {
   const double ko = std::abs(value_of(result, Term::Ko));
   const double kp = std::abs(value_of(result, Term::Kp));
   for (const double across : {std::hypot(ko, kp), std::max(ko, kp)}) {
+    const double angle = std::atan2(across, ki);
+    // A turn makes Ki the cosine: one that is nearer to 1 has another cause.
     if (std::abs(std::hypot(ki, across) - 1.0) < kTurned && across > kLeastTurn * ki &&
-        ki > kLeastTurn * across)
-      return std::atan2(across, ki) * 180.0 / std::numbers::pi;
+        ki > kLeastTurn * across && 1.0 - ki > 0.5 * (1.0 - std::cos(angle)))
+      return angle * 180.0 / std::numbers::pi;
   }
   return 0.0;
 }
