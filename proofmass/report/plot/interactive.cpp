@@ -48,10 +48,12 @@ bool suit_floats(const std::vector<double>& values) {
 
 // "f" or "d", for single or double precision, and the values.
 std::string as_text(const std::vector<double>& values) {
-  if (suit_floats(values))
-    return "f" + packed<std::uint32_t>(
-                     values, [](double v) { return std::bit_cast<std::uint32_t>(static_cast<float>(v)); });
-  return "d" + packed<std::uint64_t>(values, [](double v) { return std::bit_cast<std::uint64_t>(v); });
+  const bool single = suit_floats(values);
+  std::string text(1, single ? 'f' : 'd');
+  text += single ? packed<std::uint32_t>(
+                       values, [](double v) { return std::bit_cast<std::uint32_t>(static_cast<float>(v)); })
+                 : packed<std::uint64_t>(values, [](double v) { return std::bit_cast<std::uint64_t>(v); });
+  return text;
 }
 
 Json words(const Text& text) { return Json::array({text.en, text.zh}); }
