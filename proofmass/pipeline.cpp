@@ -212,9 +212,10 @@ Split split_again(const Dataset& record, const Run& result) {
     return (part ? part->n : 0) == rows.size();
   };
   if (!counts(made.train, split.training) || !counts(made.validation, split.validation) ||
-      !counts(made.test, split.test))
+      !counts(made.test, split.test)) {
     throw contradiction(fmt::format("{} training, {} validation and {} test rows by the options",
                                     split.training.size(), split.validation.size(), split.test.size()));
+  }
   return split;
 }
 

@@ -127,9 +127,10 @@ void require_distinct_outputs(std::initializer_list<fs::path> outputs) {
     std::error_code ignored;
     const fs::path place =
         output == "-" ? output : fs::weakly_canonical(fs::absolute(output, ignored), ignored);
-    if (!seen.insert(place).second)
+    if (!seen.insert(place).second) {
       throw usage_error(
           fmt::format("'{}' is to be written twice: give each output a file of its own", output.string()));
+    }
   }
 }
 

@@ -93,9 +93,10 @@ void InteractiveFigures::add(const Drawing& figure) {
       if (!s.whisker.empty()) one["whisker"] = column(s.whisker);
       made["series"].push_back(std::move(one));
     }
-    for (const Guide& guide : chart->guides)
+    for (const Guide& guide : chart->guides) {
       made["guides"].push_back(
           {{"at", guide.at}, {"vertical", guide.vertical}, {"label", words(guide.label)}});
+    }
   } else if (const auto* space = std::get_if<SpacePlot>(&figure)) {
     made = {{"id", space->id}, {"title", words(space->title)}};
     for (const Text& axis : space->axes) made["axes"].push_back(words(axis));

@@ -45,9 +45,10 @@ void draw_axis(SvgCanvas& canvas, const View& view, const std::array<double, 3>&
 std::string svg_of(const SpacePlot& plot, const SvgUse& use) {
   SvgCanvas canvas(kSvgWidth, kSvgHeight, use);
   View view{.largest = 0.0};
-  for (const auto* column : {&plot.x, &plot.y, &plot.z})
+  for (const auto* column : {&plot.x, &plot.y, &plot.z}) {
     for (const double v : *column)
       view.largest = std::max(view.largest, std::isfinite(v) ? std::abs(v) : 0.0);
+  }
   if (view.largest == 0.0) view.largest = 1.0;
   canvas.text(0.5 * kSvgWidth, 17.0, plot.title, SvgCanvas::Anchor::middle, "title");
   for (std::size_t axis = 0; axis < plot.axes.size(); ++axis) {

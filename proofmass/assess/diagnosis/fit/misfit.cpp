@@ -17,7 +17,7 @@ constexpr double kGross = 0.9;
 constexpr double kExact = 0.9999;  // of R², above which no unit is mixed
 constexpr double kUnrelated = 0.1;
 
-Finding misfit(double r2, std::string reason, std::vector<std::size_t> lines) {
+Finding misfit(double r2, std::string reason, const std::vector<std::size_t>& lines) {
   // Before the reason, whose words name the lines.
   return {.code = Code::gross_misfit,
           .severity = Severity::warning,

@@ -34,9 +34,10 @@ std::string distances(const Reproduction& made) {
                                                {text_of(Label::rms_error)},
                                                {text_of(Label::rms_bound)},
                                                {text_of(Label::test_mse)}});
-  for (const Contestant& c : made.coefficients.contestants)
+  for (const Contestant& c : made.coefficients.contestants) {
     table.add({escaped(c.method), number_cell(c.truth->rms_over_standard_error),
                number_cell(c.truth->rms_over_bound), c.test ? spread_cell(c.test->mse, 4) : "–"});
+  }
   return table.html();
 }
 
@@ -107,9 +108,10 @@ Section gains(const Reproduction& made) {
                {text_of(Label::bp_iterations)},
                {text_of(Label::pso_iterations)}},
               Table::Caption::hidden);
-  for (const SwarmGain& gain : made.gains)
+  for (const SwarmGain& gain : made.gains) {
     table.add({count_cell(gain.sigma * 1e6), escaped(gain.preset), number_cell(gain.ratio(), 4),
                count_cell(gain.bp_iterations), count_cell(gain.swarm_iterations)});
+  }
   const Text text = text_of(Label::gain_text, {{"records", made.gains.front().bp_mse.size()}});
   return {.id = "gain", .title = Label::gain, .body = paragraph(text) + table.html(), .short_ = true};
 }

@@ -26,12 +26,13 @@ std::optional<Section> fit_section(const IdentificationContext& context) {
               .y = {.label = text_of(Label::predicted, symbol)},
               .series = series_by_part(record, measured, scaled(record.rows.predicted, unit.factor))};
   const auto [low, high] = std::minmax_element(measured.begin(), measured.end());
-  if (low != high)
+  if (low != high) {
     chart.series.push_back({.name = text_of(Label::equality),
                             .x = {*low, *high},
                             .y = {*low, *high},
                             .mark = Mark::dashes,
                             .colour = 5});
+  }
   std::string body = thinning_note(record);
   body += element(
       "div", figure(chart, context.interactive, findings_of(context.run.identification.findings, chart.id)),

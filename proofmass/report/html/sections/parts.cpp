@@ -35,11 +35,14 @@ std::vector<Series> series_by_part(const RecordFigures& record, const std::vecto
   constexpr std::array kParts{Shown{Part::training, Label::train, Mark::points},
                               Shown{Part::validation, Label::validation, Mark::points},
                               Shown{Part::test, Label::test, Mark::squares}};
-  constexpr std::array<std::size_t, 3> kColours{0, 2, 1};
+  constexpr std::array<std::size_t, 3> kPartColours{0, 2, 1};
   std::vector<Series> made;
   for (std::size_t k = 0; k < kParts.size(); ++k) {
-    Series one{
-        .name = text_of(kParts[k].label), .x = {}, .y = {}, .mark = kParts[k].mark, .colour = kColours[k]};
+    Series one{.name = text_of(kParts[k].label),
+               .x = {},
+               .y = {},
+               .mark = kParts[k].mark,
+               .colour = kPartColours[k]};
     for (std::size_t row = 0; row < y.size(); ++row) {
       if (record.rows.parts[row] != kParts[k].part) continue;
       one.x.push_back(x[row]);

@@ -68,21 +68,24 @@ std::vector<Along> all_along(const RecordFigures& figures) {
   const Dataset& record = figures.record;
   constexpr std::array<std::string_view, 3> kIds{"ai", "ao", "ap"};
   std::vector<Along> all;
-  for (const Axis axis : record.axes())
+  for (const Axis axis : record.axes()) {
     all.push_back({.id = std::string(kIds.at(static_cast<std::size_t>(axis))),
                    .what = same_text(std::string(axis_name(axis))),
                    .unit = "g",
                    .values = record.along(axis)});
+  }
   all.push_back({.id = "magnitude", .what = same_text("|A|"), .unit = "g", .values = magnitudes(record)});
   all.push_back(along_order(figures));
-  if (!record.time.empty())
+  if (!record.time.empty()) {
     all.push_back(
         {.id = "time", .what = text_of(Label::time), .unit = record.time_unit.symbol, .values = record.time});
-  if (!record.temperature.empty())
+  }
+  if (!record.temperature.empty()) {
     all.push_back({.id = "temperature",
                    .what = text_of(Label::temperature),
                    .unit = record.temperature_unit.symbol == "degC" ? "°C" : record.temperature_unit.symbol,
                    .values = record.temperature});
+  }
   if (!record.mount.empty()) all.push_back(along_mounts(record));
   return all;
 }
