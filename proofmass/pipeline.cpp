@@ -162,8 +162,8 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   if (!trials.empty()) std::get<NetworkDetails>(run.identification.details).hidden_search = std::move(trials);
   add_intervals(run.identification);
   score_parts(run.identification, training, validation, test);
-  add_test_curve(run.identification, test);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  add_test_curve(run.identification, test);
   if (training.rows() == record.rows()) add_leave_out_scores(run.identification, training);
   add_diagnosis(run, record, method);
   run.provenance = {.version = std::string(version()),
