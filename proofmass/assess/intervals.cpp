@@ -10,6 +10,11 @@ namespace {
 
 using StudentT = boost::math::students_t_distribution<double>;
 
+StudentT distribution_of(const Identification& result) {
+  const std::size_t dof = result.diagnostics.dof.value_or(0);
+  return StudentT(dof > 0 ? static_cast<double>(dof) : std::numeric_limits<double>::infinity());
+}
+
 void add_interval(Coefficient& coefficient, const StudentT& distribution, double half_width_factor) {
   const double error = *coefficient.standard_error;
   const double half_width = half_width_factor * error;
@@ -24,11 +29,14 @@ void add_interval(Coefficient& coefficient, const StudentT& distribution, double
 
 }  // namespace
 
+double coverage_factor(const Identification& result) {
+  return boost::math::quantile(distribution_of(result), 0.975);
+}
+
 void add_intervals(Identification& result) {
-  const auto dof = result.diagnostics.dof;
-  if (dof && *dof == 0) return;
-  const StudentT distribution(dof ? static_cast<double>(*dof) : std::numeric_limits<double>::infinity());
-  const double factor = boost::math::quantile(distribution, 0.975);
+  if (result.diagnostics.dof && *result.diagnostics.dof == 0) return;
+  const StudentT distribution = distribution_of(result);
+  const double factor = coverage_factor(result);
   for (Coefficient& coefficient : result.coefficients) {
     if (coefficient.identified && coefficient.standard_error) add_interval(coefficient, distribution, factor);
   }

@@ -10,4 +10,8 @@ namespace proofmass {
 // of zero gives an interval of no width, and neither t nor p.
 void add_intervals(Identification& result);
 
+// Half the width of a two-sided 95 % interval over the standard error: Student's t with the diagnostics'
+// degrees of freedom, the normal distribution when a method states none or has none left.
+[[nodiscard]] double coverage_factor(const Identification& result);
+
 }  // namespace proofmass

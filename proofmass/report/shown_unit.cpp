@@ -61,4 +61,17 @@ ShownUnit shown_unit(const Unit& output, double largest) {
   return {to_declared * std::pow(kTen, -decade), power_of_ten(decade) + " " + symbol};
 }
 
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+  std::vector<double> out = values;
+  for (double& v : out) v *= factor;
+  return out;
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double v : values)
+    if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
 }  // namespace proofmass

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "proofmass/core/units.hpp"
 
@@ -16,5 +17,11 @@ struct ShownUnit {
 // For values up to `largest` in the output's canonical unit: the declared unit with the SI prefix, or power
 // of ten, that leaves numbers between 0.1 and 1000.
 [[nodiscard]] ShownUnit shown_unit(const Unit& output, double largest);
+
+// The values times a factor.
+[[nodiscard]] std::vector<double> scaled(const std::vector<double>& values, double factor);
+
+// The largest that is finite, of either sign.
+[[nodiscard]] double largest_of(const std::vector<double>& values);
 
 }  // namespace proofmass

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/study/comparison.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace proofmass {
@@ -83,6 +84,16 @@ void summarise(Contestant& contestant) {
         if (!run.diagnostics.iterations) return std::nullopt;
         return static_cast<double>(*run.diagnostics.iterations);
       });
+}
+
+TermList terms_of(const Comparison& comparison) {
+  TermList terms;
+  for (const Contestant& contestant : comparison.contestants) {
+    for (const Coefficient& c : contestant.runs.front().identification.coefficients) terms.push_back(c.term);
+  }
+  std::sort(terms.begin(), terms.end());
+  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  return terms;
 }
 
 CostRatios ratios_to(const Contestant& reference, const Contestant& contestant) {

@@ -59,6 +59,9 @@ struct Comparison {
   std::optional<StaticModel> truth;  // where it is known
 };
 
+// The terms that some method was asked for, in canonical order.
+[[nodiscard]] TermList terms_of(const Comparison& comparison);
+
 // Mean figures of one method over those of another, as the paper gives its cost; absent where either lacks
 // the figure or the other's is zero.
 struct CostRatios {

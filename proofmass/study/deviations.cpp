@@ -22,7 +22,7 @@ bool has_errors(const Contestant& contestant) {
                      [](const Coefficient& c) { return c.identified && c.standard_error; });
 }
 
-std::vector<Term> terms_of(const Comparison& comparison) {
+std::vector<Term> identified_terms_of(const Comparison& comparison) {
   std::vector<Term> terms;
   for (const Contestant& contestant : comparison.contestants) {
     for (const Coefficient& c : contestant.runs.front().identification.coefficients)
@@ -46,7 +46,8 @@ double median_of(std::span<const double> sorted) {
 }  // namespace
 
 Deviations deviations(const Comparison& comparison) {
-  Deviations made{.from_truth = comparison.truth.has_value(), .reference = {}, .terms = terms_of(comparison)};
+  Deviations made{
+      .from_truth = comparison.truth.has_value(), .reference = {}, .terms = identified_terms_of(comparison)};
   const auto reference =
       std::find_if(comparison.contestants.begin(), comparison.contestants.end(), has_errors);
   if (!made.from_truth) {

@@ -3,23 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <optional>
+
+#include "proofmass/assess/intervals.hpp"
 
 namespace proofmass {
 namespace {
 
 constexpr std::array kTermsOfInput{Term::Kii, Term::Koq, Term::Kiii};
-
-// Of the intervals of the coefficients.
-double coverage_factor(const Identification& result) {
-  constexpr double kTail = 0.025;
-  const auto dof = result.diagnostics.dof;
-  if (!dof || *dof == 0) return quantile(complement(boost::math::normal(), kTail));
-  return quantile(complement(boost::math::students_t(static_cast<double>(*dof)), kTail));
-}
 
 std::optional<Interval> range_of_input(const Identification& result) {
   for (const auto& [axis, range] : result.input_range)
@@ -58,6 +50,7 @@ Nonlinearity nonlinearity_of(const Identification& result) {
   const std::optional<Interval> range = range_of_input(result);
   Nonlinearity made;
   if (terms.empty() || !range) return made;
+  for (const CurvedTerm& one : terms) made.terms.push_back(one.term);
   const std::size_t n = identified_count(result);
   const bool has_covariance = result.covariance.size() == n * n;
   const double coverage = coverage_factor(result);

@@ -11,6 +11,7 @@ namespace proofmass {
 // over the range of Ai, with the half width of its 95 % confidence interval at each place; in the output's
 // canonical unit.
 struct Nonlinearity {
+  TermList terms;             // those of Ai alone
   std::vector<double> input;  // Ai, g
   std::vector<double> value;
   std::vector<double> half_width;  // empty where the covariance is not known

@@ -61,16 +61,9 @@ std::string coefficient_text(const Run& run, Term term, Language language) {
 void write_coefficients(TerminalText& out, const Comparison& comparison) {
   std::vector<std::string> header{out.in({"term", "项"})};
   if (comparison.truth) header.push_back(out.in({"truth", "真值"}));
-  std::vector<Term> terms;
-  for (const Contestant& c : comparison.contestants) {
-    header.push_back(c.method);
-    for (const Coefficient& coefficient : c.runs.front().identification.coefficients)
-      terms.push_back(coefficient.term);
-  }
-  std::sort(terms.begin(), terms.end());
-  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
+  for (const Contestant& c : comparison.contestants) header.push_back(c.method);
   TextTable table(std::move(header));
-  for (const Term term : terms) {
+  for (const Term term : terms_of(comparison)) {
     std::vector<std::string> row{std::string(name(term))};
     if (comparison.truth) row.push_back(fmt::format("{:.7g}", comparison.truth->coefficient(term)));
     for (const Contestant& c : comparison.contestants)

@@ -259,6 +259,10 @@ Text text_of(Label label, const std::vector<Figure>& figures) {
   return {filled(both.en, holder), filled(both.zh, holder)};
 }
 
+Text text_of(Label label, const std::string& figure, const Text& words) {
+  return {text_of(label, {{figure, words.en}}).en, text_of(label, {{figure, words.zh}}).zh};
+}
+
 std::vector<Label> all_labels() {
   std::vector<Label> all;
   for (std::size_t k = 0; k < kWords.size(); ++k) all.push_back(static_cast<Label>(k));

@@ -201,6 +201,9 @@ enum class Label : std::uint8_t {
 // The label with each figure in the place of its name in braces.
 [[nodiscard]] Text text_of(Label label, const std::vector<Figure>& figures = {});
 
+// The same with words in place of the one figure that it has.
+[[nodiscard]] Text text_of(Label label, const std::string& figure, const Text& words);
+
 // All of them, in order.
 [[nodiscard]] std::vector<Label> all_labels();
 

@@ -48,11 +48,6 @@ ErrorAxis error_axis(const Comparison& comparison) {
                    .log = largest > kLogRatio * least}};
 }
 
-std::vector<double> times(std::vector<double> values, double factor) {
-  for (double& v : values) v *= factor;
-  return values;
-}
-
 std::string in_grid(const std::string& figures) { return element("div", figures, "class=\"figures\""); }
 
 }  // namespace
@@ -97,7 +92,7 @@ std::string repeats_figure(const Comparison& comparison, InteractiveFigures& int
   for (const Contestant& contestant : comparison.contestants) {
     const std::vector<double> errors = test_errors(contestant);
     if (errors.size() < kLeastRepeats) continue;
-    const FiveNumbers five = five_numbers(times(errors, shown.unit.factor));
+    const FiveNumbers five = five_numbers(scaled(errors, shown.unit.factor));
     plot.boxes.push_back({.name = same_text(contestant.method),
                           .low = five.low,
                           .lower = five.lower,
@@ -121,7 +116,7 @@ std::string time_figure(const Comparison& comparison, InteractiveFigures& intera
     if (errors.size() != contestant.seconds.size() || errors.empty()) continue;
     chart.series.push_back({.name = same_text(contestant.method),
                             .x = contestant.seconds,
-                            .y = times(errors, shown.unit.factor),
+                            .y = scaled(errors, shown.unit.factor),
                             .mark = chart.series.size() % 2 == 0 ? Mark::points : Mark::squares,
                             .colour = chart.series.size() % kColours});
   }

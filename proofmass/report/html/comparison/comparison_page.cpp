@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "proofmass/report/coefficient_text.hpp"
 #include "proofmass/report/html/comparison/comparison_figures.hpp"
 #include "proofmass/report/html/page/findings.hpp"
@@ -32,15 +30,6 @@ Section findings_of_methods(const Comparison& comparison) {
     if (!found.empty()) body += element("h3", escaped(contestant.method)) + found;
   }
   return {.id = "findings", .title = Label::findings, .body = body, .short_ = true};
-}
-
-std::vector<Term> terms_of(const Comparison& comparison) {
-  std::vector<Term> terms;
-  for (const Contestant& contestant : comparison.contestants)
-    for (const Coefficient& c : first_result(contestant).coefficients) terms.push_back(c.term);
-  std::sort(terms.begin(), terms.end());
-  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
-  return terms;
 }
 
 std::string reading_of(const Contestant& contestant, Term term) {

@@ -5,15 +5,12 @@
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/parts_internal.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
-#include "proofmass/report/text/sentence.hpp"
 
 namespace proofmass::html {
 
 std::optional<Section> fit_section(const IdentificationContext& context) {
   if (context.record == nullptr) {
-    const Text& why = context.why_no_record;
-    const Text absent{filled(words(Label::record_absent).en, {.figures = {{"why", why.en}}}),
-                      filled(words(Label::record_absent).zh, {.figures = {{"why", why.zh}}})};
+    const Text absent = text_of(Label::record_absent, "why", context.why_no_record);
     return Section{.id = "fit", .title = Label::fit, .body = paragraph(absent), .short_ = true};
   }
   const RecordFigures& record = *context.record;

@@ -6,21 +6,6 @@
 #include "proofmass/report/html/sections/sections.hpp"
 
 namespace proofmass::html {
-namespace {
-
-std::string names_of_terms(const Identification& result) {
-  std::string names;
-  for (const Coefficient& c : result.coefficients) {
-    const TermInfo& about = info(c.term);
-    if (!c.identified || about.order() < 2 || about.uses(Axis::output) || about.uses(Axis::pendulous))
-      continue;
-    names += names.empty() ? about.name : ", " + std::string(about.name);
-  }
-  return names;
-}
-
-}  // namespace
-
 std::optional<Section> nonlinearity_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   const Nonlinearity found = nonlinearity_of(result);
@@ -42,7 +27,7 @@ std::optional<Section> nonlinearity_section(const IdentificationContext& context
   }
   chart.series.push_back(
       {.name = text_of(Label::nonlinearity), .x = found.input, .y = scaled(found.value, unit.factor)});
-  const std::string text = paragraph(text_of(Label::nonlinearity_text, {{"names", names_of_terms(result)}}));
+  const std::string text = paragraph(text_of(Label::nonlinearity_text, {{"names", join_names(found.terms)}}));
   return Section{.id = "nonlinearity",
                  .title = Label::nonlinearity,
                  .body = text + element("div", figure(chart, context.interactive), "class=\"figures\""),

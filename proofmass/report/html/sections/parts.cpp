@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/parts_internal.hpp"
 
 namespace proofmass::html {
-
-std::vector<double> scaled(const std::vector<double>& values, double factor) {
-  std::vector<double> out = values;
-  for (double& v : out) v *= factor;
-  return out;
-}
-
-double largest_of(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double v : values)
-    if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
-  return largest;
-}
 
 ShownUnit residual_unit(const IdentificationContext& context) {
   return shown_unit(context.run.identification.output_unit, largest_of(context.record->rows.residuals));

@@ -10,12 +10,6 @@
 
 namespace proofmass::html {
 
-// The values times a factor.
-[[nodiscard]] std::vector<double> scaled(const std::vector<double>& values, double factor);
-
-// The largest that is finite, of either sign.
-[[nodiscard]] double largest_of(const std::vector<double>& values);
-
 [[nodiscard]] ShownUnit residual_unit(const IdentificationContext& context);
 
 // y over x, a series for each part of the record that has rows.

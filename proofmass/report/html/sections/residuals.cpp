@@ -8,7 +8,6 @@
 #include "proofmass/report/html/sections/parts_internal.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
 #include "proofmass/report/text/display_width.hpp"
-#include "proofmass/report/text/sentence.hpp"
 
 namespace proofmass::html {
 namespace {
@@ -104,8 +103,7 @@ std::optional<Section> residuals_section(const IdentificationContext& context) {
   const std::vector<double> residuals = scaled(record.rows.residuals, unit.factor);
   std::string figures;
   for (const Along& along : all_along(record)) {
-    const Text title{filled(words(Label::residuals_against).en, {.figures = {{"what", along.what.en}}}),
-                     filled(words(Label::residuals_against).zh, {.figures = {{"what", along.what.zh}}})};
+    const Text title = text_of(Label::residuals_against, "what", along.what);
     const Chart chart{.id = "residuals-" + along.id,
                       .title = title,
                       .x = {.label = axis_label(along), .categories = along.categories},
