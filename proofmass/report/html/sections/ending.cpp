@@ -23,7 +23,7 @@ std::optional<Section> ending_section(const IdentificationContext& context) {
   };
   if (d.residual_sd) {
     number(Label::residual_sd, to_declared(*d.residual_sd, result.output_unit),
-           " " + typeset_unit(result.output_unit.symbol));
+           std::string(1, ' ').append(typeset_unit(result.output_unit.symbol)));
   }
   if (d.dof) figures.add(text_of(Label::dof), std::to_string(*d.dof));
   if (d.r2_adjusted)
