@@ -53,6 +53,7 @@ enum class Code : std::uint8_t {
   record_headers_skipped,
   record_overloads_left_out,
   record_column_unusable,
+  record_columns_ignored,
   record_end_mark,
   // Any method.
   inputs_collinear,

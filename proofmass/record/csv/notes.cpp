@@ -124,6 +124,21 @@ void add_unit_findings(Dataset& record, const Preamble& preamble, const RowForma
   }
 }
 
+// "rpm, kii (Ki?)", the first of them.
+void add_ignored_columns(Dataset& record) {
+  constexpr std::size_t kMostNamed = 8;
+  if (record.ignored.empty()) return;
+  std::string names;
+  for (std::size_t k = 0; k < std::min(record.ignored.size(), kMostNamed); ++k) {
+    const IgnoredColumn& column = record.ignored[k];
+    names.append(k == 0 ? "" : ", ").append(column.header.empty() ? "\"\"" : excerpt(column.header));
+    if (!column.nearest.empty()) names.append(" (").append(column.nearest).append("?)");
+  }
+  if (record.ignored.size() > kMostNamed) names.append(", …");
+  record.findings.push_back({.code = Code::record_columns_ignored,
+                             .figures = {{"count", record.ignored.size()}, {"columns", std::move(names)}}});
+}
+
 }  // namespace
 
 void settle_optional_columns(Dataset& record, const RowNotes& notes) {
@@ -182,6 +197,7 @@ void add_reading_findings(Dataset& record, const ChunkReader& reader, const Prea
   if (format.header.separation.fullwidth) record.findings.push_back({.code = Code::record_fullwidth});
   if (reader.had_end_mark()) record.findings.push_back({.code = Code::record_end_mark});
   add_unit_findings(record, preamble, format, notes);
+  add_ignored_columns(record);
 }
 
 }  // namespace proofmass

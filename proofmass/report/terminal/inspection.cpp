@@ -29,17 +29,6 @@ void write_columns(TerminalText& out, const std::vector<ColumnSummary>& columns)
   out.table(table);
 }
 
-void write_ignored(TerminalText& out, const std::vector<IgnoredColumn>& columns) {
-  if (columns.empty()) return;
-  std::string names;
-  for (const IgnoredColumn& column : columns) {
-    names.append(names.empty() ? "" : out.in({", ", "、"})).append(excerpt(column.header));
-    if (!column.nearest.empty())
-      names += with_figures({" (not {}?)", "（是否为 {}？）"}, out.language(), column.nearest);
-  }
-  out.line(out.in({"ignored columns: ", "未使用的列："}) + names);
-}
-
 void write_mounts(TerminalText& out, const std::vector<MountSummary>& mounts) {
   if (mounts.empty()) return;
   out.heading(out.in({"Mounts", "安装位置"}));
@@ -88,7 +77,6 @@ std::string render_inspection(const Inspection& inspection, const TerminalStyle&
                            amount(inspection.rows, {"row", "行"}, out.language())));
   write_findings(out, inspection.findings, Severity::warning);
   write_columns(out, inspection.columns);
-  write_ignored(out, inspection.ignored);
   write_findings(out, inspection.findings, Severity::note);
   if (inspection.repeated_inputs > 0) {
     const Words repeats =

@@ -65,6 +65,8 @@ std::string_view sentence(Code code) noexcept {
     case Code::record_column_unusable:
       return "the column {column} is not used: {count:.0f} of {total:.0f} rows {count:?has|have} no number "
              "there";
+    case Code::record_columns_ignored:
+      return "{count:.0f} {count:?column of the file is|columns of the file are} not used: {columns}";
     case Code::record_end_mark:
       return "Ctrl-Z at the end of the file is left out";
     case Code::inputs_collinear:

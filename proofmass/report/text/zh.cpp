@@ -59,6 +59,8 @@ std::string_view chinese_template(Code code) noexcept {
       return "{count:.0f} 行因仪表标明数值超量程而未采用：第 {lines} 行";
     case Code::record_column_unusable:
       return "未使用 {column} 列：{total:.0f} 行中有 {count:.0f} 行在该列没有数值";
+    case Code::record_columns_ignored:
+      return "文件中有 {count:.0f} 列未使用：{columns}";
     case Code::record_end_mark:
       return "已略去文件末尾的 Ctrl-Z 字符";
     case Code::inputs_collinear:
