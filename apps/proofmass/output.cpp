@@ -156,15 +156,17 @@ void require_writable_file(const fs::path& file) {
   }
 }
 
-void require_writable_folder(const fs::path& folder) {
-  if (folder.empty()) return;
+void require_writable(const fs::path& folder, std::initializer_list<fs::path> files) {
   std::error_code ignored;
-  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
+  if (!folder.empty() && fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
     throw usage_error(fmt::format("--out: '{}' is not a folder", folder.string()));
   }
-  OutputFiles attempt;
-  attempt.make_folder(folder);
-  attempt.add(folder / ".proofmass", std::string_view{});
+  OutputFiles attempt;  // the folder is there while the files in it are tried
+  if (!folder.empty()) {
+    attempt.make_folder(folder);
+    attempt.add(folder / ".proofmass", std::string_view{});
+  }
+  for (const auto& file : files) require_writable_file(file);
 }
 
 }  // namespace proofmass::cli

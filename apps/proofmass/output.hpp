@@ -64,10 +64,11 @@ void require_distinct_outputs(std::initializer_list<std::filesystem::path> outpu
 // Throws a usage Error when the folder that would hold the file is not there. "-" and "" are always well.
 void require_folder_of(const std::filesystem::path& file);
 
-// These two throw a usage Error when a file cannot be written, or files in a folder that is made if need be:
-// better before a long computation than after it. They try it and leave nothing behind; what is not a regular
-// file, such as a pipe, is only asked for its permissions. "-" and "" are always well.
+// These two throw a usage Error when a file cannot be written, or files in and beside a folder that is made
+// if need be: better before a long computation than after it. They try it and leave nothing behind; what is
+// not a regular file, such as a pipe, is only asked for its permissions. "-" and "" are always well.
 void require_writable_file(const std::filesystem::path& file);
-void require_writable_folder(const std::filesystem::path& folder);
+void require_writable(const std::filesystem::path& folder,
+                      std::initializer_list<std::filesystem::path> files);
 
 }  // namespace proofmass::cli

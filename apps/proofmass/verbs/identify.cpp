@@ -67,10 +67,10 @@ std::string report(const Run& run, const Dataset& record, Language language) {
 void write_result(const Run& run, const Dataset& record, const VerbFlags& flags) {
   const std::string json = to_json(run);
   OutputFiles files;
+  if (!flags.out.empty()) files.make_folder(flags.out);  // other outputs may be in it
   if (!flags.json.empty()) files.add(flags.json, json);
   if (!flags.out.empty()) {
     const fs::path folder = flags.out;
-    files.make_folder(folder);
     files.add(folder / "result.json", json);
     files.add(folder / "predictions.csv", predictions(run, record));
     files.add(folder / "history.csv", history(run.identification));
@@ -81,10 +81,8 @@ void write_result(const Run& run, const Dataset& record, const VerbFlags& flags)
   files.commit();
 }
 
-void require_writable(const VerbFlags& flags) {
-  require_writable_file(flags.json);
+void require_outputs(const VerbFlags& flags) {
   require_other_file(flags.json, {flags.record.path});
-  require_writable_file(flags.report);
   require_other_file(flags.report, {flags.record.path});
   const fs::path out = flags.out;
   const bool folder = !flags.out.empty();
@@ -95,14 +93,14 @@ void require_writable(const VerbFlags& flags) {
       require_other_file(out / name, {flags.record.path});
     }
   }
-  require_writable_folder(flags.out);
+  require_writable(out, {flags.json, flags.report});
 }
 
 void run_identify(const VerbFlags& flags) {
   const Method method = flags.identify.method();
   const IdentifyOptions options = flags.identify.options();
   const ReadOptions reading = read_options(flags.record, flags.common);
-  require_writable(flags);
+  require_outputs(flags);
   ConsoleProgress progress(flags.common.quiet);
   const Dataset record = read_record(flags.record.path, reading, progress);
   const InterruptGuard guard;

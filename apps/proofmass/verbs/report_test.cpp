@@ -108,5 +108,21 @@ TEST_F(ReportVerb, GivesEachOutputAFileOfItsOwn) {
   EXPECT_FALSE(fs::exists(both));
 }
 
+// The folder is made for both; a page names what was not used of the record.
+TEST_F(ReportVerb, WritesIntoTheFolderOfTheOtherOutputs) {
+  const std::string record =
+      write("more.csv",
+            "Ai,Ao,Ap,E,rpm,<i>\n1,0,0,1.1,5,6\n-1,0,0,-0.9,5,6\n0,1,0,0.1,5,6\n0,0,1,0.12,5,6\n"
+            "0,-1,0,0.11,5,6\n0,0,-1,0.1,5,6\n1,0,0,1.11,5,6\n");
+  const fs::path folder = fs::path(at("new")) / "folder";
+  const Outcome made = proofmass({"identify", record, "--model", "linear", "--out", folder.string(),
+                                  "--report", (folder / "report.html").string()});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  const std::string page = read("new/folder/report.html");
+  EXPECT_NE(page.find("2 columns of the file are not used: rpm, &lt;i&gt;"), std::string::npos);
+  EXPECT_NE(page.find("文件中有 2 列未使用：rpm、&lt;i&gt;"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder / "result.json"));
+}
+
 }  // namespace
 }  // namespace proofmass::test

@@ -31,8 +31,7 @@ struct ReproduceFlags {
 };
 
 void run_reproduce(const ReproduceFlags& flags) {
-  require_writable_folder(flags.out);
-  require_writable_file(flags.report);
+  require_writable(flags.out, {flags.report});
   const InterruptGuard guard;
   const ThreadLimit limit(flags.common.threads);
   ReproduceOptions options = flags.quick ? quick_reproduction() : ReproduceOptions{};
