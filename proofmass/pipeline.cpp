@@ -169,6 +169,7 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   run.provenance = {.version = std::string(version()),
                     .input = record.source,
                     .input_sha256 = record.source_sha256,
+                    .acceleration_unit = record.acceleration_unit.symbol,
                     .options = resolved_options(asked, options),
                     .reading = record.findings};
   run.identification.findings.insert(run.identification.findings.begin(), record.findings.begin(),

@@ -28,6 +28,7 @@ struct Provenance {
   std::string version;
   std::string input;  // file name
   std::string input_sha256;
+  std::string acceleration_unit{};  // of the record, as it declares it; empty: not known
   std::vector<std::pair<std::string, std::string>> options;  // resolved, in a fixed order
   std::vector<Finding> reading;  // what reading the record skipped, converted and assumed
 };

@@ -16,12 +16,7 @@ std::string reading_unit(Term term, const Unit& output) {
 }
 
 std::string readable_number(const Coefficient& c, const Unit& output) {
-  if (!output.is_acceleration()) {
-    if (!c.standard_error) return significant_text(c.value, 6);
-    return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
-                       significant_text(*c.standard_error, 2));
-  }
-  const ReadableUnit unit = readable_unit(c.term);
+  const ReadableUnit unit = output.is_acceleration() ? readable_unit(c.term) : ReadableUnit{};
   const double value = (c.value - unit.offset) * unit.factor;
   return c.standard_error ? plus_minus_text(value, *c.standard_error * unit.factor)
                           : significant_text(value, 6);

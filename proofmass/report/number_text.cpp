@@ -13,6 +13,15 @@ int decade(double value) { return static_cast<int>(std::floor(std::log10(std::ab
 
 bool has_decade(double value) { return value != 0.0 && std::isfinite(value); }
 
+// With so many decimals; below zero, rounded to tens, hundreds and so on. What rounds to zero has no sign.
+std::string rounded_text(double value, int decimals) {
+  const double step = std::pow(10.0, std::max(-decimals, 0));
+  const double rounded = decimals < 0 ? std::round(value / step) * step : value;
+  const std::string text = fmt::format("{:.{}f}", rounded, std::max(decimals, 0));
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return zero && text.starts_with('-') ? text.substr(1) : text;
+}
+
 }  // namespace
 
 std::string significant_text(double value, int digits) {
@@ -29,12 +38,18 @@ std::string uncertain_text(double value, const std::optional<double>& standard_e
 }
 
 std::string plus_minus_text(double value, double standard_error) {
-  if (!has_decade(standard_error)) return fmt::format("{:.6g} ± {:.3g}", value, standard_error);
-  const int decimals = 1 - decade(standard_error);
-  if (decimals > 9 || decade(standard_error) > 6)
-    return fmt::format("{:.6g} ± {:.2g}", value, standard_error);
-  return fmt::format("{:.{}f} ± {:.{}f}", value, std::max(decimals, 0), standard_error,
-                     std::max(decimals, 0));
+  if (!has_decade(standard_error) || !std::isfinite(value))
+    return fmt::format("{:.6g} ± {:.3g}", value, standard_error);
+  constexpr int kLeastDecade = -4;  // smaller and larger ones are read by a common power of ten
+  constexpr int kMostDecade = 8;
+  constexpr int kMostDecimals = 15;
+  const int size = decade(std::max(std::abs(value), standard_error));
+  const int shift = size < kLeastDecade || size > kMostDecade ? size : 0;
+  const int decimals = std::min(1 - decade(standard_error) + shift, kMostDecimals);
+  const double unit = std::pow(10.0, shift);
+  const std::string digits = rounded_text(value / unit, decimals).append(" ± ");
+  const std::string both = digits + rounded_text(standard_error / unit, decimals);
+  return shift == 0 ? both : fmt::format("({})e{:+03d}", both, shift);
 }
 
 std::string determination_text(double r2) {

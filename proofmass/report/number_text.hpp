@@ -14,7 +14,7 @@ namespace proofmass {
 // `digits` significant digits, trailing zeros kept: "1.500e-06", "12.30".
 [[nodiscard]] std::string significant_text(double value, int digits);
 
-// "13.0617 ± 0.0224": both with the decimals that show two digits of the error.
+// "13.062 ± 0.022", "(1.30617 ± 0.00022)e-05", "-280000 ± 500000": both to two digits of the error.
 [[nodiscard]] std::string plus_minus_text(double value, double standard_error);
 
 // R², as "0.998712"; where 1 - R² is below 1e-4 as what it lacks of one, "1 - 2.31e-13".

@@ -18,9 +18,12 @@ std::string raised(int number) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Length of the "e-06" that begins there, behind a digit or a point and before no letter; 0 for none.
+// Length of the "e-06" that begins there, behind a digit, a point or a bracket and before no letter; 0 for
+// none.
 std::size_t exponent_at(std::string_view text, std::size_t k) {
-  if (text[k] != 'e' || k == 0 || (!is_digit(text[k - 1]) && text[k - 1] != '.')) return 0;
+  if (text[k] != 'e' || k == 0) return 0;
+  const char before = text[k - 1];
+  if (!is_digit(before) && before != '.' && before != ')') return 0;
   std::size_t end = k + 1;
   if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
   const std::size_t digits = end;
@@ -75,6 +78,12 @@ std::string typeset_unit(std::string_view unit) {
   }
   const bool micro = out.size() > 1 && out[0] == 'u' && (out[1] == 'g' || out[1] == 'V' || out[1] == 'A');
   return micro ? "µ" + out.substr(1) : out;
+}
+
+std::string squared_unit(std::string_view unit) {
+  const std::string printed = typeset_unit(unit);
+  const bool plain = unit.find_first_of("/ ^") == std::string_view::npos;
+  return plain ? printed + "²" : "(" + printed + ")²";
 }
 
 }  // namespace proofmass

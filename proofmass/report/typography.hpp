@@ -16,4 +16,7 @@ namespace proofmass {
 // "g/g^2" becomes "g/g²", "m/s^2" "m/s²", "ug" "µg".
 [[nodiscard]] std::string typeset_unit(std::string_view unit);
 
+// The square of a unit as it is printed: "g²", "(m/s²)²".
+[[nodiscard]] std::string squared_unit(std::string_view unit);
+
 }  // namespace proofmass

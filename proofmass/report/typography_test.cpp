@@ -16,6 +16,7 @@ TEST(Typography, PrintsNumbersAndUnitsAsTheSiBrochureDoes) {
   EXPECT_EQ(typeset("1 - 2.2e-14"), "1 − 2.2 × 10⁻¹⁴");
   EXPECT_EQ(typeset("leave-one-out of a 3-7-1 network, 2026-11-28"),
             "leave-one-out of a 3-7-1 network, 2026-11-28");
+  EXPECT_EQ(typeset("(1.30617 ± 0.00022)e-05"), "(1.30617 ± 0.00022) × 10⁻⁵");
   EXPECT_EQ(typeset("0.25"), "0.25");
   EXPECT_EQ(typeset("[-1.5e-06, 2.e+08]"), "[−1.5 × 10⁻⁶, 2. × 10⁸]");
   EXPECT_EQ(typeset("trainlm"), "trainlm");  // an e that is no exponent
@@ -23,6 +24,8 @@ TEST(Typography, PrintsNumbersAndUnitsAsTheSiBrochureDoes) {
   EXPECT_EQ(typeset_unit("m/s^2"), "m/s²");
   EXPECT_EQ(typeset_unit("ug"), "µg");
   EXPECT_EQ(typeset_unit("mA/g^3"), "mA/g³");
+  EXPECT_EQ(squared_unit("ug"), "µg²");
+  EXPECT_EQ(squared_unit("m/s^2"), "(m/s²)²");
 }
 
 TEST(ShownUnit, LeavesNumbersThatPeopleRead) {

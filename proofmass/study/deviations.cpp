@@ -38,6 +38,11 @@ double deviation(const Coefficient* coefficient, double from, const std::optiona
   return (coefficient->value - from) / *error;
 }
 
+double half_width(const Coefficient* coefficient) {
+  if (coefficient == nullptr || !coefficient->ci95 || !(coefficient->standard_error > 0.0)) return kNone;
+  return 0.5 * (coefficient->ci95->high - coefficient->ci95->low) / *coefficient->standard_error;
+}
+
 double median_of(std::span<const double> sorted) {
   const std::size_t n = sorted.size();
   return n % 2 == 1 ? sorted[n / 2] : 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]);
@@ -57,8 +62,10 @@ Deviations deviations(const Comparison& comparison) {
   for (const Contestant& contestant : comparison.contestants) {
     if (contestant.method == made.reference) continue;
     std::vector<double> row;
+    std::vector<double> half_widths;
     for (const Term term : made.terms) {
       const Coefficient* const own = find_identified(contestant, term);
+      half_widths.push_back(half_width(own));
       if (made.from_truth) {
         const auto error = own != nullptr ? own->standard_error : std::nullopt;
         row.push_back(deviation(own, comparison.truth->coefficient(term), error));
@@ -69,6 +76,7 @@ Deviations deviations(const Comparison& comparison) {
     }
     made.methods.push_back(contestant.method);
     made.in_errors.push_back(std::move(row));
+    made.half_widths.push_back(std::move(half_widths));
   }
   return made;
 }

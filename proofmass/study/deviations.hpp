@@ -15,6 +15,8 @@ struct Deviations {
   std::vector<Term> terms{};                     // that some method identifies, canonical order
   std::vector<std::string> methods{};            // compared, in the order of the comparison
   std::vector<std::vector<double>> in_errors{};  // of each method: one a term; NaN where it has none
+  // Half of each 95 % interval likewise, in the method's own standard errors.
+  std::vector<std::vector<double>> half_widths{};
 };
 
 // From the truth: in the standard errors of each method itself, which it should know to be about one. From

@@ -14,12 +14,10 @@ std::string render_report(const Run& run, const RecordFigures* record, const Rep
   InteractiveFigures interactive;
   const html::IdentificationContext context{
       .run = run, .record = record, .why_no_record = why, .date = style.date, .interactive = interactive};
-  html::Page page{.title = text_of(Label::identification),
-                  .subject = run.provenance.input,
-                  .version = run.provenance.version,
-                  .sections = {}};
-  for (const html::MakeSection make : html::identification_sections())
-    if (auto section = make(context)) page.sections.push_back(std::move(*section));
+  const html::Page page{.title = text_of(Label::identification),
+                        .subject = run.provenance.input,
+                        .version = run.provenance.version,
+                        .sections = html::identification_sections(context)};
   return html::render(page, interactive, style);
 }
 
@@ -28,7 +26,7 @@ std::string render_report(const Comparison& comparison, const ReportStyle& style
   const html::Page page{.title = text_of(Label::comparison),
                         .subject = comparison.input,
                         .version = comparison.contestants.front().runs.front().provenance.version,
-                        .sections = html::comparison_sections(comparison, interactive)};
+                        .sections = html::comparison_sections(comparison, interactive, style.date)};
   return html::render(page, interactive, style);
 }
 

@@ -114,6 +114,7 @@ Provenance provenance_of(const JsonNode& node) {
                         .input_sha256 = node.at("input_sha256").text(),
                         .options = {},
                         .reading = {}};
+  if (const auto unit = node.find("acceleration_unit")) provenance.acceleration_unit = unit->text();
   if (const auto reading = node.find("reading")) provenance.reading = findings_of(*reading);
   for (const auto& [key, value] : node.at("options").members()) {
     provenance.options.emplace_back(key, value.text());

@@ -108,6 +108,7 @@ Run full_run() {
   run.provenance = {.version = "0.2.0",
                     .input = "a.csv",
                     .input_sha256 = "ff",
+                    .acceleration_unit = "m/s^2",
                     .options = {{"b", "2"}, {"a", "1"}},
                     .reading = {{.code = Code::record_units_assumed,
                                  .figures = {{"columns", std::string("Ai")}, {"unit", std::string("g")}}}}};
@@ -147,8 +148,10 @@ TEST(Json, WritesTheSchemaOfTheContract) {
   EXPECT_EQ(json["covariance"].size(), 2U);
   EXPECT_EQ(json["ending"]["status"], "early_stopped");
   EXPECT_FALSE(json.contains("split"));
-  EXPECT_EQ(json["provenance"],
-            Json::parse(R"({"version":"0.2.0","input":"a.csv","input_sha256":"ff","options":{"b":"2","a":"1"},
+  EXPECT_EQ(
+      json["provenance"],
+      Json::parse(
+          R"({"version":"0.2.0","input":"a.csv","input_sha256":"ff","acceleration_unit":"m/s^2","options":{"b":"2","a":"1"},
           "reading":[{"code":"record_units_assumed","severity":"note","figures":{"columns":"Ai","unit":"g"},
           "text":"no unit is declared for Ai: g is assumed"}]})"));
   // The second name is that of 0.1.0.
@@ -220,6 +223,7 @@ TEST(Json, ReadsBackWhatItWroteToTheLastBit) {
   EXPECT_EQ(read_run.provenance.version, run.provenance.version);
   EXPECT_EQ(read_run.provenance.input, run.provenance.input);
   EXPECT_EQ(read_run.provenance.input_sha256, run.provenance.input_sha256);
+  EXPECT_EQ(read_run.provenance.acceleration_unit, run.provenance.acceleration_unit);
   EXPECT_EQ(read_run.provenance.options, run.provenance.options);
 }
 

@@ -136,11 +136,9 @@ Json diagnostics_of(const Identification& result) {
 Json json_of(const Provenance& provenance) {
   Json options = Json::object();
   for (const auto& [key, value] : provenance.options) options[key] = value;
-  return {{"version", provenance.version},
-          {"input", provenance.input},
-          {"input_sha256", provenance.input_sha256},
-          {"options", std::move(options)},
-          {"reading", json_of(std::span(provenance.reading))}};
+  return {{"version", provenance.version},           {"input", provenance.input},
+          {"input_sha256", provenance.input_sha256}, {"acceleration_unit", provenance.acceleration_unit},
+          {"options", std::move(options)},           {"reading", json_of(std::span(provenance.reading))}};
 }
 
 Json json_of(const TrainedNetwork& network) {

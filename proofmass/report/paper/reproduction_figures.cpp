@@ -6,15 +6,16 @@
 
 #include "proofmass/report/paper/reproduction_figures_internal.hpp"
 #include "proofmass/report/text/label.hpp"
+#include "proofmass/report/text/names.hpp"
+#include "proofmass/report/typography.hpp"
 
 namespace proofmass {
 namespace {
 
-// The parts of a record in every language; the names of methods as they are.
+// A curve of a history, or a method.
 Text name_of(const std::string& curve) {
-  for (const Label label : {Label::train, Label::validation, Label::test})
-    if (curve == words(label).en) return words(label);
-  return same_text(curve);
+  const Text known = curve_name(curve);
+  return known == same_text(curve) ? entry_name(curve) : known;
 }
 
 std::vector<Series> by_step(const std::vector<Curve>& curves) {
@@ -37,7 +38,7 @@ PaperFigure curve_figure(std::string name, Text title, const Text& step, const R
   Chart chart{.id = name,
               .title = std::move(title),
               .x = {.label = step},
-              .y = {.label = text_of(Label::rmse, {{"unit", made.unit}}), .log = true},
+              .y = {.label = text_of(Label::rmse, {{"unit", typeset_unit(made.unit)}}), .log = true},
               .series = by_step(curves)};
   return {.name = std::move(name), .chart = std::move(chart)};
 }
@@ -49,7 +50,7 @@ std::vector<Curve> the_papers_two(const Reproduction& made) {
 }
 
 Chart predictions(const Reproduction& made) {
-  const std::vector<Figure> unit{{"unit", made.unit}};
+  const std::vector<Figure> unit{{"unit", typeset_unit(made.unit)}};
   Chart chart{.id = "figure-7-test-predictions",
               .title = text_of(Label::test_predictions),
               .x = {.label = text_of(Label::measured, unit)},
@@ -57,7 +58,7 @@ Chart predictions(const Reproduction& made) {
               .series = {}};
   for (const Curve& curve : the_papers_two(made)) {
     const std::size_t number = chart.series.size();
-    chart.series.push_back({.name = same_text(curve.name),
+    chart.series.push_back({.name = name_of(curve.name),
                             .x = made.measured,
                             .y = curve.values,
                             .mark = number == 0 ? Mark::points : Mark::squares,
@@ -76,7 +77,7 @@ Chart errors(const Reproduction& made) {
   Chart chart{.id = "figure-8-prediction-errors",
               .title = text_of(Label::test_errors),
               .x = {.label = text_of(Label::test_row)},
-              .y = {.label = text_of(Label::error, {{"unit", made.unit}})},
+              .y = {.label = text_of(Label::error, {{"unit", typeset_unit(made.unit)}})},
               .series = by_step(errors)};
   for (Series& series : chart.series) series.mark = series.colour == 0 ? Mark::points : Mark::squares;
   return chart;

@@ -30,6 +30,9 @@ struct Series {
   std::vector<double> whisker{};  // half the length of a bar of uncertainty at each point
 };
 
+// A series of no more points than these is drawn with larger ones.
+inline constexpr std::size_t kFewPoints = 60;
+
 struct ChartAxis {
   Text label;
   bool log = false;                // values that are not positive are then left out

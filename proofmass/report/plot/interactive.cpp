@@ -87,6 +87,7 @@ void InteractiveFigures::add(const Drawing& figure) {
             {"y", axis_of(chart->y)}};
     for (const Series& s : chart->series) {
       Json one{{"name", words(s.name)}, {"mark", name_of(s.mark)}, {"colour", s.colour}};
+      if (s.x.size() <= kFewPoints) one["few"] = true;
       one["x"] = column(s.x);
       one["y"] = column(s.y);
       if (!s.high.empty()) one["high"] = column(s.high);

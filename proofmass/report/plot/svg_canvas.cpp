@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kColours = R"(
 .figure{--ink:#222;--grid:#ddd;--paper:#fff;--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#8a6d00;--c5:#555}
-.figure text{fill:var(--ink);font:13px sans-serif}
-.figure .title{font-size:14px;font-weight:600}
+.figure text{fill:var(--ink);font:16px sans-serif}
+.figure .title{font-size:17px;font-weight:600}
 .figure .grid{stroke:var(--grid);fill:none}
 .figure .axis{stroke:var(--ink);fill:none}
 .figure .guide{stroke:var(--ink);fill:none;stroke-dasharray:2 3}
@@ -19,18 +19,21 @@ constexpr std::string_view kColours = R"(
 .figure .dashes{fill:none;stroke-width:3.4;stroke-dasharray:12 6}
 .figure .points{fill:none;stroke-width:7;stroke-linecap:round}
 .figure .squares{fill:none;stroke-width:6;stroke-linecap:square}
+.figure .few.points{stroke-width:13}
+.figure .few.squares{stroke-width:11}
 .figure .steps{fill:none;stroke-width:2.8}
 .figure .whisker{fill:none;stroke-width:2.8}
 .figure .box{fill:none;stroke-width:1.6}
 .figure .spot{fill:none;stroke-width:5;stroke-linecap:round}
 .figure .cell{fill:#000;font-size:10.5px}
 .figure .strong{font-weight:600}
-.figure .small{font-size:11px}
+.figure .small{font-size:13px}
 .figure .band{stroke:none;opacity:.25}
 .figure .s0{stroke:var(--c0)}.figure .s1{stroke:var(--c1)}.figure .s2{stroke:var(--c2)}
 .figure .s3{stroke:var(--c3)}.figure .s4{stroke:var(--c4)}.figure .s5{stroke:var(--c5)}
 .figure .f0{fill:var(--c0)}.figure .f1{fill:var(--c1)}.figure .f2{fill:var(--c2)}
 .figure .f3{fill:var(--c3)}.figure .f4{fill:var(--c4)}.figure .f5{fill:var(--c5)}
+@media print,(max-width:600px){.figure text,.figure .title{font-size:18px}}
 @media (prefers-color-scheme:dark){@media screen{
 .figure{--ink:#ddd;--grid:#444;--paper:#181a1b;--c0:#56b4e9;--c1:#e8884a;--c2:#3cc7a0;--c3:#dfa0c3;--c4:#d9b83c;--c5:#aaa}}}
 )";

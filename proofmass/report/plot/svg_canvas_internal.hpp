@@ -41,9 +41,11 @@ class SvgCanvas {
 
 // The frame of a chart: where its data are, in units of the image.
 struct SvgFrame {
-  double left = 78.0, right = 616.0, top = 50.0, bottom = 348.0;
+  double left = 100.0, right = 618.0, top = 52.0, bottom = 338.0;
 };
 inline constexpr double kSvgWidth = 640.0, kSvgHeight = 400.0;
+// The room that a column of text takes at the size of narrow screens and paper.
+inline constexpr double kSvgColumn = 9.8;
 // Grid, ticks, labels and title.
 void draw_axes(SvgCanvas& canvas, const SvgFrame& frame, const Text& title, const ChartAxis& x_axis,
                const Scale& x, const ChartAxis& y_axis, const Scale& y);

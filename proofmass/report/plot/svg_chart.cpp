@@ -22,6 +22,12 @@ std::string_view class_of(Mark mark) {
   return kClasses.at(static_cast<std::size_t>(mark));
 }
 
+// Few points are drawn larger: they are looked at one by one.
+std::string stroke_of(const Series& s) {
+  const bool few = s.x.size() <= kFewPoints && (s.mark == Mark::points || s.mark == Mark::squares);
+  return fmt::format("{}{} s{}", class_of(s.mark), few ? " few" : "", s.colour);
+}
+
 class ChartDrawing {
  public:
   ChartDrawing(const Chart& chart, const SvgUse& use)
@@ -147,7 +153,7 @@ class ChartDrawing {
   }
 
   void draw_series(const Series& s) {
-    const std::string stroke = fmt::format("{} s{}", class_of(s.mark), s.colour);
+    const std::string stroke = stroke_of(s);
     canvas_.path(whiskers(s), fmt::format("whisker s{}", s.colour));
     switch (s.mark) {
       case Mark::points:
@@ -181,12 +187,12 @@ class ChartDrawing {
 
   // In a line of its own above the data.
   void draw_legend() {
-    constexpr double kSample = 22.0, kGap = 16.0, kCharacter = 7.2;
+    constexpr double kSample = 22.0, kGap = 14.0;
     double at = frame_.left;
-    const double y = 36.0;
+    const double y = 38.0;
     for (const Series& s : chart_.series) {
       if (s.name.en.empty()) continue;
-      const std::string stroke = fmt::format("{} s{}", class_of(s.mark), s.colour);
+      const std::string stroke = stroke_of(s);
       const bool dot = s.mark == Mark::points || s.mark == Mark::squares;
       canvas_.raw("<g transform=\"scale(.5)\">");
       if (s.mark == Mark::band) {
@@ -201,7 +207,7 @@ class ChartDrawing {
       canvas_.raw("</g>");
       canvas_.text(at + kSample + 4.0, y, s.name, SvgCanvas::Anchor::start);
       const auto columns = static_cast<double>(std::max(display_width(s.name.en), display_width(s.name.zh)));
-      at += kSample + 4.0 + kCharacter * columns + kGap;
+      at += kSample + 4.0 + kSvgColumn * columns + kGap;
     }
   }
 

@@ -197,7 +197,7 @@ TEST(Terminal, SpeaksChinese) {
         "折算到输入端（除以 Ki）", "误差，单位 mA", "训练集", "留一法", "MAPE 不计小于输出范围 1 % 的输出",
         "可疑行：12，以下为前 10 行", "行号", "终止：直接求解", "由双倍工作精度的正规方程直接求解：70 行数据",
         "残差标准差 1e-06 mA；自由度 66；调整 R²", "依据：全部数据行均参与拟合", "依据：标准误差为渐近值",
-        "80 列宽度内未显示：95 % 置信区间"}) {
+        "80 列宽度内未显示：p、95 % 置信区间"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   }
   for (const char* const english : {"warning", "rows", "term", "standard", "Ended", "not "}) {
@@ -288,6 +288,9 @@ TEST(NumberText, ShowsTheDigitsThatMeanSomething) {
   EXPECT_EQ(uncertain_text(0.0, 0.1), "0");
   EXPECT_EQ(plus_minus_text(13.0617, 0.0224), "13.062 ± 0.022");
   EXPECT_EQ(plus_minus_text(1234.5, 67.0), "1234 ± 67");
+  EXPECT_EQ(plus_minus_text(-0.3, 12.0), "0 ± 12");
+  EXPECT_EQ(plus_minus_text(-282554.0, 501423.0), "-280000 ± 500000");
+  EXPECT_EQ(plus_minus_text(1.30617e-5, 2.2e-9), "(1.30617 ± 0.00022)e-05");
   EXPECT_EQ(significant_text(120.0, 3), "120");
   EXPECT_EQ(determination_text(0.998712), "0.998712");
   EXPECT_EQ(determination_text(1.0 - 2.31e-13), "1 - 2.31e-13");

@@ -133,6 +133,7 @@ constexpr std::array kWords{
           "{total:.0f}：训练 {training:.0f}，验证 {validation:.0f}，测试 {test:.0f}"},
     Words{"Units", "单位"},
     Words{"acceleration {acceleration}, output {output}", "加速度 {acceleration}，输出 {output}"},
+    Words{"output {output}", "输出 {output}"},
     Words{"Ranges fitted", "拟合范围"},
     Words{"{axis} from {low:.6g} to {high:.6g} g", "{axis}：{low:.6g} 至 {high:.6g} g"},
     Words{"Method", "方法"},
@@ -207,21 +208,23 @@ constexpr std::array kWords{
     Words{"least", "最小"},
     Words{"largest", "最大"},
     Words{"Table 2: coefficients", "表 2：系数"},
-    Words{"In g per g to the power of the order, ± one standard error. \"Left out\" is a method's choice and "
+    Words{"In the units of the second column, ± one standard error. \"Left out\" is a method's choice and "
           "counts as zero; \"–\" was not asked for. The truth of the twin is what the paper's PSO-BP "
           "identified; the paper gives 8 coefficients by LSM, 10 by GMDH and 15 by PSO-BP.",
-          "单位为 g 除以 g 的相应阶次幂，± "
+          "单位见第二列，± "
           "一倍标准误差。“未选入”为方法自身的选择，按零计；“–”表示未要求该项。模拟数据的真值取论文 PSO-BP "
           "的辨识结果；论文中 LSM 给出 8 个系数，GMDH 10 个，PSO-BP 15 个。"},
     Words{"the paper's PSO-BP: our truth", "论文 PSO-BP：此处的真值"},
     Words{"test MSE", "测试 MSE"},
     Words{"training MSE", "训练 MSE"},
     Words{"Table 3: errors", "表 3：误差"},
-    Words{"On the test rows, in {unit} and ({unit})², mean over {repeats:.0f} repeats with other splits and "
-          "starts. \"Ours\" is the default preset; multistart spends the swarm's epochs on random starts "
+    Words{"On the test rows, in {unit} and ({unit})², mean over {repeats:.0f} {repeats:?repeat|repeats} with "
+          "other "
+          "splits and starts. \"Ours\" is the default preset; multistart spends the swarm's epochs on random "
+          "starts "
           "instead, an ablation that the paper lacks. The noise alone makes an MSE of about {noise}.",
           "测试行上的误差，单位 {unit} 与 ({unit})²，为 {repeats:.0f} "
-          "次另行划分与初始化的平均。“ours”为默认设置；multistart "
+          "次另行划分与初始化的平均。“默认设置”即本软件的默认设置；多次初始化 BP "
           "将粒子群的训练轮次用于随机初始化，是论文所缺的对照。仅噪声所致的 MSE 约为 {noise}。"},
     Words{"the paper's MSE", "论文的 MSE"},
     Words{"Iterations", "迭代次数"},

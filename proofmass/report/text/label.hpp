@@ -121,6 +121,7 @@ enum class Label : std::uint8_t {
   rows_text,
   units,
   units_text,
+  output_unit_text,
   ranges,
   range_text,
   method,

@@ -7,6 +7,7 @@
 
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/shown_unit.hpp"
+#include "proofmass/report/text/names.hpp"
 #include "proofmass/report/typography.hpp"
 #include "proofmass/study/deviations.hpp"
 
@@ -53,7 +54,6 @@ std::string in_grid(const std::string& figures) { return element("div", figures,
 }  // namespace
 
 std::string deviation_figure(const Comparison& comparison, InteractiveFigures& interactive) {
-  constexpr double kCoverage = 1.96;  // of a bar of 95 %
   const Deviations found = deviations(comparison);
   if (found.methods.empty()) return {};
   const std::vector<Figure> method{{"method", found.reference}};
@@ -68,14 +68,14 @@ std::string deviation_figure(const Comparison& comparison, InteractiveFigures& i
   for (const Term term : found.terms) chart.x.categories.push_back(same_text(std::string(name(term))));
   const auto methods = static_cast<double>(found.methods.size());
   for (std::size_t m = 0; m < found.methods.size(); ++m) {
-    Series series{.name = same_text(found.methods[m]),
+    Series series{.name = entry_name(found.methods[m]),
                   .x = {},
                   .y = found.in_errors[m],
                   .mark = m % 2 == 0 ? Mark::points : Mark::squares,
                   .colour = m % kColours};
     const double shift = 0.6 * ((static_cast<double>(m) + 0.5) / methods - 0.5);
     for (std::size_t k = 0; k < series.y.size(); ++k) series.x.push_back(static_cast<double>(k) + shift);
-    if (found.from_truth) series.whisker.assign(series.y.size(), kCoverage);
+    if (found.from_truth) series.whisker = found.half_widths[m];
     const bool any = std::any_of(series.y.begin(), series.y.end(), [](double v) { return std::isfinite(v); });
     if (any) chart.series.push_back(std::move(series));
   }

@@ -7,6 +7,7 @@
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/paper/reproduction_figures_internal.hpp"
+#include "proofmass/report/text/names.hpp"
 #include "proofmass/report/typography.hpp"
 #include "proofmass/study/paper/citation.hpp"
 
@@ -35,24 +36,21 @@ std::string distances(const Reproduction& made) {
                                                {text_of(Label::rms_bound)},
                                                {text_of(Label::test_mse)}});
   for (const Contestant& c : made.coefficients.contestants) {
-    table.add({escaped(c.method), number_cell(c.truth->rms_over_standard_error),
+    table.add({both(entry_name(c.method)), number_cell(c.truth->rms_over_standard_error),
                number_cell(c.truth->rms_over_bound), c.test ? spread_cell(c.test->mse, 4) : "–"});
   }
   return table.html();
 }
 
 Section table_2(const Reproduction& made) {
-  std::vector<Column> columns{{text_of(Label::term), Align::left}, {text_of(Label::paper_truth)}};
-  for (const Contestant& c : made.coefficients.contestants) columns.push_back({same_text(c.method)});
-  Table table(text_of(Label::table_2), std::move(columns), Table::Caption::hidden);
-  for (const TermInfo& term : all_terms()) {
-    std::vector<std::string> cells{escaped(term.name), number_cell(made.truth.coefficient(term.term), 6)};
-    for (const Contestant& c : made.coefficients.contestants) cells.push_back(coefficient_cell(c, term.term));
-    table.add(std::move(cells));
-  }
+  TermList terms;
+  for (const TermInfo& term : all_terms()) terms.push_back(term.term);
+  const std::string table =
+      coefficients_table(text_of(Label::table_2), terms, made.coefficients.contestants, &made.truth,
+                         text_of(Label::paper_truth), Table::Caption::hidden);
   return {.id = "table-2",
           .title = Label::table_2,
-          .body = paragraph(text_of(Label::table_2_text)) + table.html() + distances(made)};
+          .body = paragraph(text_of(Label::table_2_text)) + table + distances(made)};
 }
 
 Section table_3(const Reproduction& made) {
@@ -71,8 +69,8 @@ Section table_3(const Reproduction& made) {
   for (std::size_t k = 0; k < made.networks.contestants.size(); ++k) {
     const Contestant& c = made.networks.contestants[k];
     const std::string paper = k < kPaperTestMse.size() ? number_cell(kPaperTestMse.at(k), 4) : "–";
-    table.add({escaped(c.method), paper, spread_cell(c.test->mse, 4), number_cell(c.test->mae.mean, 4),
-               number_cell(c.test->rmse.mean, 4),
+    table.add({both(entry_name(c.method)), paper, spread_cell(c.test->mse, 4),
+               number_cell(c.test->mae.mean, 4), number_cell(c.test->rmse.mean, 4),
                c.test->mape_percent ? number_cell(c.test->mape_percent->mean, 4) : "–",
                determination_cell(c.test->r2), c.train ? spread_cell(c.train->mse, 4) : "–",
                c.iterations ? count_cell(c.iterations->mean) : "–", number_cell(c.time.mean, 3)});
@@ -109,7 +107,7 @@ Section gains(const Reproduction& made) {
                {text_of(Label::pso_iterations)}},
               Table::Caption::hidden);
   for (const SwarmGain& gain : made.gains) {
-    table.add({count_cell(gain.sigma * 1e6), escaped(gain.preset), number_cell(gain.ratio(), 4),
+    table.add({count_cell(gain.sigma * 1e6), both(entry_name(gain.preset)), number_cell(gain.ratio(), 4),
                count_cell(gain.bp_iterations), count_cell(gain.swarm_iterations)});
   }
   const Text text = text_of(Label::gain_text, {{"records", made.gains.front().bp_mse.size()}});

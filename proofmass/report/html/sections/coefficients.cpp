@@ -78,8 +78,6 @@ std::string refused(std::span<const Coefficient> coefficients) {
   return made.empty() ? std::string() : made.html();
 }
 
-}  // namespace
-
 std::optional<Section> coefficients_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   std::string body =
@@ -92,5 +90,10 @@ std::optional<Section> coefficients_section(const IdentificationContext& context
   body += refused(result.coefficients);
   return Section{.id = "coefficients", .title = Label::coefficients, .body = body, .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection coefficients_part;
+const PageSection coefficients_part{.place = 20, .make = &coefficients_section};
 
 }  // namespace proofmass::html

@@ -5,6 +5,7 @@
 #include "proofmass/report/html/sections/sections.hpp"
 
 namespace proofmass::html {
+namespace {
 
 std::optional<Section> correlations_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
@@ -22,5 +23,10 @@ std::optional<Section> correlations_section(const IdentificationContext& context
                       "class=\"figures\""),
       .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection correlations_part;
+const PageSection correlations_part{.place = 100, .make = &correlations_section};
 
 }  // namespace proofmass::html

@@ -48,8 +48,6 @@ Chart quantile_chart(const RecordFigures& record, const ShownUnit& unit) {
                      line}};
 }
 
-}  // namespace
-
 std::optional<Section> distribution_section(const IdentificationContext& context) {
   if (context.record == nullptr || context.record->histogram.counts.empty()) return std::nullopt;
   const ShownUnit unit = residual_unit(context);
@@ -62,5 +60,10 @@ std::optional<Section> distribution_section(const IdentificationContext& context
                  .body = element("div", figures, "class=\"figures\""),
                  .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection distribution_part;
+const PageSection distribution_part{.place = 60, .make = &distribution_section};
 
 }  // namespace proofmass::html

@@ -10,6 +10,7 @@
 #include "proofmass/report/typography.hpp"
 
 namespace proofmass::html {
+namespace {
 
 std::optional<Section> ending_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
@@ -36,5 +37,10 @@ std::optional<Section> ending_section(const IdentificationContext& context) {
     if (one.severity == Severity::basis) body += finding(one);
   return Section{.id = "ending", .title = Label::ending, .body = body};
 }
+
+}  // namespace
+
+extern const PageSection ending_part;
+const PageSection ending_part{.place = 130, .make = &ending_section};
 
 }  // namespace proofmass::html

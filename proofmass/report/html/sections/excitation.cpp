@@ -5,6 +5,7 @@
 #include "proofmass/report/html/sections/sections.hpp"
 
 namespace proofmass::html {
+namespace {
 
 std::optional<Section> excitation_section(const IdentificationContext& context) {
   if (context.record == nullptr) return std::nullopt;
@@ -27,5 +28,10 @@ std::optional<Section> excitation_section(const IdentificationContext& context) 
                          element("div", shown, "class=\"figures\""),
                  .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection excitation_part;
+const PageSection excitation_part{.place = 120, .make = &excitation_section};
 
 }  // namespace proofmass::html

@@ -7,6 +7,7 @@
 #include "proofmass/report/html/sections/sections.hpp"
 
 namespace proofmass::html {
+namespace {
 
 std::optional<Section> fit_section(const IdentificationContext& context) {
   if (context.record == nullptr) {
@@ -36,5 +37,10 @@ std::optional<Section> fit_section(const IdentificationContext& context) {
       "class=\"figures\"");
   return Section{.id = "fit", .title = Label::fit, .body = body};
 }
+
+}  // namespace
+
+extern const PageSection fit_part;
+const PageSection fit_part{.place = 40, .make = &fit_section};
 
 }  // namespace proofmass::html

@@ -13,21 +13,20 @@ namespace {
 std::string table_of(const IdentificationContext& context) {
   const RecordFigures& record = *context.record;
   const ShownUnit unit = residual_unit(context);
-  Table table(text_of(Label::most_influential), {{text_of(Label::line)},
+  Table table(text_of(Label::most_influential), {{text_of(Label::row)},
+                                                 {text_of(Label::line)},
                                                  {text_of(Label::residual, {{"unit", unit.symbol}})},
                                                  {text_of(Label::studentised)},
                                                  {text_of(Label::leverage)},
                                                  {text_of(Label::cook)}});
   for (const std::size_t k : record.most_influential) {
     const auto number = [](double value) { return escaped(typeset(significant_text(value, 3))); };
-    table.add({std::to_string(record.record.line_of(k)), number(unit.factor * record.rows.residuals[k]),
-               number(record.rows.studentised[k]), number(record.rows.leverage[k]),
-               number(record.rows.cooks_distance[k])});
+    table.add({std::to_string(record.numbers[k] + 1), std::to_string(record.record.line_of(k)),
+               number(unit.factor * record.rows.residuals[k]), number(record.rows.studentised[k]),
+               number(record.rows.leverage[k]), number(record.rows.cooks_distance[k])});
   }
   return table.html();
 }
-
-}  // namespace
 
 std::optional<Section> influence_section(const IdentificationContext& context) {
   if (context.record == nullptr || context.record->rows.leverage.empty()) return std::nullopt;
@@ -53,5 +52,10 @@ std::optional<Section> influence_section(const IdentificationContext& context) {
       .title = Label::influence,
       .body = thinning_note(record) + element("div", figures, "class=\"figures\"") + table_of(context)};
 }
+
+}  // namespace
+
+extern const PageSection influence_part;
+const PageSection influence_part{.place = 110, .make = &influence_section};
 
 }  // namespace proofmass::html

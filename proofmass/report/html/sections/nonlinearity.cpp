@@ -6,6 +6,8 @@
 #include "proofmass/report/html/sections/sections.hpp"
 
 namespace proofmass::html {
+namespace {
+
 std::optional<Section> nonlinearity_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   const Nonlinearity found = nonlinearity_of(result);
@@ -33,5 +35,10 @@ std::optional<Section> nonlinearity_section(const IdentificationContext& context
                  .body = text + element("div", figure(chart, context.interactive), "class=\"figures\""),
                  .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection nonlinearity_part;
+const PageSection nonlinearity_part{.place = 70, .make = &nonlinearity_section};
 
 }  // namespace proofmass::html

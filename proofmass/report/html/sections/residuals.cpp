@@ -47,7 +47,7 @@ std::string shortened(const std::string& label) {
 
 // As many labels as fit below the axis: each, or each second, and so on.
 Along along_mounts(const Dataset& record) {
-  constexpr std::size_t kMostColumns = 56;
+  constexpr std::size_t kMostColumns = 50;
   Along made{
       .id = "mount", .what = text_of(Label::mount), .unit = {}, .values = std::vector<double>(record.rows())};
   const auto mounts = rows_by_mount(record.mount);
@@ -94,8 +94,6 @@ Text axis_label(const Along& along) {
   return {along.what.en + ", " + along.unit, along.what.zh + "，" + along.unit};
 }
 
-}  // namespace
-
 std::optional<Section> residuals_section(const IdentificationContext& context) {
   if (context.record == nullptr) return std::nullopt;
   const RecordFigures& record = *context.record;
@@ -116,5 +114,10 @@ std::optional<Section> residuals_section(const IdentificationContext& context) {
                  .title = Label::residuals,
                  .body = thinning_note(record) + element("div", figures, "class=\"figures\"")};
 }
+
+}  // namespace
+
+extern const PageSection residuals_part;
+const PageSection residuals_part{.place = 50, .make = &residuals_section};
 
 }  // namespace proofmass::html

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
 #include "proofmass/report/number_text.hpp"
@@ -8,14 +6,6 @@
 
 namespace proofmass::html {
 namespace {
-
-// "g²", "(m/s²)²".
-std::string squared(const std::string& unit) {
-  const bool plain = std::all_of(unit.begin(), unit.end(), [](char c) { return c != '/' && c != ' '; });
-  return plain ? unit + "²" : "(" + unit + ")²";
-}
-
-}  // namespace
 
 std::optional<Section> scores_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
@@ -25,7 +15,7 @@ std::optional<Section> scores_section(const IdentificationContext& context) {
                {text_of(Label::rows)},
                {same_text("RMSE, " + unit)},
                {same_text("MAE, " + unit)},
-               {same_text("MSE, " + squared(unit))},
+               {same_text("MSE, " + squared_unit(result.output_unit.symbol))},
                {same_text("MAPE, %")},
                {same_text("R²")}},
               Table::Caption::hidden);
@@ -50,5 +40,10 @@ std::optional<Section> scores_section(const IdentificationContext& context) {
                  .body = table.html() + paragraph(text_of(used)) + paragraph(text_of(Label::mape_note)),
                  .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection scores_part;
+const PageSection scores_part{.place = 30, .make = &scores_section};
 
 }  // namespace proofmass::html

@@ -6,6 +6,8 @@
 namespace proofmass::html {
 
 // Predictions and errors on the rows that the fit has not seen (Shi et al., Figures 7 and 8).
+namespace {
+
 std::optional<Section> test_rows_section(const IdentificationContext& context) {
   if (context.record == nullptr) return std::nullopt;
   const RecordFigures& record = *context.record;
@@ -49,5 +51,10 @@ std::optional<Section> test_rows_section(const IdentificationContext& context) {
                  .body = thinning_note(record) + element("div", figures, "class=\"figures\""),
                  .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection test_rows_part;
+const PageSection test_rows_part{.place = 90, .make = &test_rows_section};
 
 }  // namespace proofmass::html

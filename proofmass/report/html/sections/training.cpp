@@ -6,6 +6,7 @@
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/parts_internal.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
+#include "proofmass/report/text/names.hpp"
 #include "proofmass/report/typography.hpp"
 
 namespace proofmass::html {
@@ -61,12 +62,6 @@ Chart training_chart(const Identification& result) {
   return chart;
 }
 
-Text name_of_search(const std::string& curve) {
-  if (curve == "swarm_best") return text_of(Label::swarm_best);
-  if (curve == "swarm_mean") return text_of(Label::swarm_mean);
-  return same_text(curve);
-}
-
 // Whatever is no curve of training: the swarm's, or a search's, each by its name.
 Chart search_chart(const Identification& result) {
   Chart chart{.id = "swarm",
@@ -82,13 +77,11 @@ Chart search_chart(const Identification& result) {
     Known known{curve.name, Label::fitness, chart.series.empty() ? Mark::line : Mark::dashes,
                 chart.series.size() % 6};
     Series series = series_of(curve, known, 1.0);
-    series.name = name_of_search(curve.name);
+    series.name = curve_name(curve.name);
     chart.series.push_back(std::move(series));
   }
   return chart;
 }
-
-}  // namespace
 
 std::optional<Section> training_section(const IdentificationContext& context) {
   std::string figures;
@@ -102,5 +95,10 @@ std::optional<Section> training_section(const IdentificationContext& context) {
                  .body = element("div", figures, "class=\"figures\""),
                  .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection training_part;
+const PageSection training_part{.place = 80, .make = &training_section};
 
 }  // namespace proofmass::html

@@ -31,8 +31,6 @@ std::string verdict(const Identification& result) {
   return element("p", both(text_of(label, figures)), sound ? "class=\"verdict\"" : "class=\"verdict doubt\"");
 }
 
-}  // namespace
-
 std::optional<Section> verdict_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   std::string body = verdict(result);
@@ -42,5 +40,10 @@ std::optional<Section> verdict_section(const IdentificationContext& context) {
   }
   return Section{.id = "verdict", .title = Label::verdict, .body = body, .short_ = true};
 }
+
+}  // namespace
+
+extern const PageSection verdict_part;
+const PageSection verdict_part{.place = 10, .make = &verdict_section};
 
 }  // namespace proofmass::html

@@ -38,7 +38,7 @@
   const trace = (series, look) => {
     const colour = look.colours[series.colour % look.colours.length];
     const made = {type: 'scatter', x: columns[series.x], y: columns[series.y], name: say(series.name),
-                  showlegend: say(series.name) !== '', line: {color: colour, width: 1.7}, marker: {color: colour, size: 4}};
+                  showlegend: say(series.name) !== '', line: {color: colour, width: 1.7}, marker: {color: colour, size: series.few ? 7 : 4}};
     if (series.mark === 'points' || series.mark === 'squares') {
       made.mode = 'markers';
       made.marker.symbol = series.mark === 'squares' ? 'square' : 'circle';
