@@ -64,8 +64,8 @@ void draw_axes(SvgCanvas& canvas, const SvgFrame& frame, const Text& title, cons
   canvas.path(fmt::format("M{:.1f} {:.1f}V{:.1f}H{:.1f}", frame.left, frame.top, frame.bottom, frame.right),
               "axis");
   canvas.text(0.5 * (frame.left + frame.right), frame.bottom + (two_lines ? 57.0 : 43.0), x_axis.label);
-  canvas.upright(18.0, 0.5 * (frame.top + frame.bottom), y_axis.label);
-  canvas.text(0.5 * kSvgWidth, 17.0, title, Anchor::middle, "title");
+  canvas.upright(22.0, 0.5 * (frame.top + frame.bottom), y_axis.label);
+  canvas.text(0.5 * kSvgWidth, 21.0, title, Anchor::middle, "title");
 }
 
 }  // namespace proofmass

@@ -41,7 +41,7 @@ class SvgCanvas {
 
 // The frame of a chart: where its data are, in units of the image.
 struct SvgFrame {
-  double left = 100.0, right = 618.0, top = 52.0, bottom = 338.0;
+  double left = 102.0, right = 618.0, top = 56.0, bottom = 338.0;
 };
 inline constexpr double kSvgWidth = 640.0, kSvgHeight = 400.0;
 // The room that a column of text takes at the size of narrow screens and paper.

@@ -185,30 +185,41 @@ class ChartDrawing {
     }
   }
 
-  // In a line of its own above the data.
+  static constexpr double kSample = 22.0, kGap = 14.0;  // of a legend
+
+  static double legend_width(const Series& s) {
+    const auto columns = static_cast<double>(std::max(display_width(s.name.en), display_width(s.name.zh)));
+    return s.name.en.empty() ? 0.0 : kSample + 4.0 + kSvgColumn * columns + kGap;
+  }
+
+  // In a line of its own above the data, which begins further left where it is long.
   void draw_legend() {
-    constexpr double kSample = 22.0, kGap = 14.0;
-    double at = frame_.left;
-    const double y = 38.0;
+    double width = 0.0;
+    for (const Series& s : chart_.series) width += legend_width(s);
+    double at = std::clamp(kSvgWidth - width, 6.0, frame_.left);
     for (const Series& s : chart_.series) {
       if (s.name.en.empty()) continue;
-      const std::string stroke = stroke_of(s);
-      const bool dot = s.mark == Mark::points || s.mark == Mark::squares;
-      canvas_.raw("<g transform=\"scale(.5)\">");
-      if (s.mark == Mark::band) {
-        canvas_.path(fmt::format("M{:.0f} {:.0f}h{:.0f}v20h-{:.0f}Z", kGrid * at, kGrid * (y - 9.0),
-                                 kGrid * kSample, kGrid * kSample),
-                     fmt::format("band f{}", s.colour));
-      } else {
-        canvas_.path(fmt::format("M{:.0f} {:.0f}h{:.0f}", kGrid * (dot ? at + 0.5 * kSample : at),
-                                 kGrid * (y - 4.0), dot ? 0.0 : kGrid * kSample),
-                     stroke);
-      }
-      canvas_.raw("</g>");
-      canvas_.text(at + kSample + 4.0, y, s.name, SvgCanvas::Anchor::start);
-      const auto columns = static_cast<double>(std::max(display_width(s.name.en), display_width(s.name.zh)));
-      at += kSample + 4.0 + kSvgColumn * columns + kGap;
+      draw_entry(s, at);
+      at += legend_width(s);
     }
+  }
+
+  void draw_entry(const Series& s, double at) {
+    const double y = 43.0;
+    const std::string stroke = stroke_of(s);
+    const bool dot = s.mark == Mark::points || s.mark == Mark::squares;
+    canvas_.raw("<g transform=\"scale(.5)\">");
+    if (s.mark == Mark::band) {
+      canvas_.path(fmt::format("M{:.0f} {:.0f}h{:.0f}v20h-{:.0f}Z", kGrid * at, kGrid * (y - 9.0),
+                               kGrid * kSample, kGrid * kSample),
+                   fmt::format("band f{}", s.colour));
+    } else {
+      canvas_.path(fmt::format("M{:.0f} {:.0f}h{:.0f}", kGrid * (dot ? at + 0.5 * kSample : at),
+                               kGrid * (y - 5.0), dot ? 0.0 : kGrid * kSample),
+                   stroke);
+    }
+    canvas_.raw("</g>");
+    canvas_.text(at + kSample + 4.0, y, s.name, SvgCanvas::Anchor::start);
   }
 
   const Chart& chart_;

@@ -33,7 +33,7 @@ std::string svg_of(const HeatMap& map, const SvgUse& use) {
   const std::size_t n = map.labels.size();
   const double side = std::min(kSide / static_cast<double>(std::max<std::size_t>(n, 1)), 46.0);
   SvgCanvas canvas(kSvgWidth, kTop + side * static_cast<double>(n) + 12.0, use);
-  canvas.text(0.5 * kSvgWidth, 17.0, map.title, SvgCanvas::Anchor::middle, "title");
+  canvas.text(0.5 * kSvgWidth, 21.0, map.title, SvgCanvas::Anchor::middle, "title");
   for (std::size_t a = 0; a < n; ++a) {
     const double from = side * static_cast<double>(a);
     canvas.text(kLeft - 6.0, kTop + from + 0.5 * side + 4.5, map.labels[a], SvgCanvas::Anchor::end);

@@ -50,7 +50,7 @@ std::string svg_of(const SpacePlot& plot, const SvgUse& use) {
       view.largest = std::max(view.largest, std::isfinite(v) ? std::abs(v) : 0.0);
   }
   if (view.largest == 0.0) view.largest = 1.0;
-  canvas.text(0.5 * kSvgWidth, 17.0, plot.title, SvgCanvas::Anchor::middle, "title");
+  canvas.text(0.5 * kSvgWidth, 21.0, plot.title, SvgCanvas::Anchor::middle, "title");
   for (std::size_t axis = 0; axis < plot.axes.size(); ++axis) {
     std::array<double, 3> along{};
     along.at(axis) = 1.0;

@@ -77,7 +77,7 @@ constexpr std::array kWords{
     Words{"Histogram of the residuals and normal curve", "残差直方图与正态曲线"},
     Words{"rows in each bin", "每组行数"},
     Words{"residuals", "残差"},
-    Words{"normal distribution of the same mean and standard deviation", "同均值、同标准差的正态分布"},
+    Words{"normal, of the same mean and sd", "同均值、同标准差的正态分布"},
     Words{"Normal Q–Q plot of the residuals", "残差的正态 Q–Q 图"},
     Words{"normal quantile", "正态分位数"},
     Words{"ordered residual, {unit}", "有序残差，{unit}"},
