@@ -35,7 +35,7 @@ std::optional<Section> ending_section(const IdentificationContext& context) {
   body += figures.html();
   for (const Finding& one : result.findings)
     if (one.severity == Severity::basis) body += finding(one);
-  return Section{.id = "ending", .title = Label::ending, .body = body};
+  return Section{.id = "ending", .title = Label::ending, .body = body, .short_ = true};
 }
 
 }  // namespace

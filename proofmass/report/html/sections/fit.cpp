@@ -35,7 +35,7 @@ std::optional<Section> fit_section(const IdentificationContext& context) {
   body += element(
       "div", figure(chart, context.interactive, findings_of(context.run.identification.findings, chart.id)),
       "class=\"figures\"");
-  return Section{.id = "fit", .title = Label::fit, .body = body};
+  return Section{.id = "fit", .title = Label::fit, .body = body, .short_ = true};
 }
 
 }  // namespace
