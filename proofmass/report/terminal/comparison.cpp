@@ -16,6 +16,7 @@
 #include "proofmass/report/terminal/terminal_words.hpp"
 #include "proofmass/report/terminal/text_table.hpp"
 #include "proofmass/report/terminal/with_figures_internal.hpp"
+#include "proofmass/report/text/label.hpp"
 
 namespace proofmass {
 namespace {
@@ -48,7 +49,7 @@ std::string coefficient_text(const Run& run, Term term, Language language) {
   for (const Coefficient& c : run.identification.coefficients) {
     if (c.term != term) continue;
     if (!c.identified) {
-      const Words why = c.left_out ? Words{"left out", "未选入"} : Words{"unidentifiable", "不可辨识"};
+      const Words why = c.left_out ? words(Label::left_out) : Words{"unidentifiable", "不可辨识"};
       return std::string(why.in(language));
     }
     if (!c.standard_error) return significant_text(c.value, 7);
@@ -81,8 +82,8 @@ void write_mape_rows(TerminalText& out, const Comparison& comparison) {
   MapeRows rows;
   for (const Contestant& c : comparison.contestants) {
     for (const Run& run : c.runs) {
-      rows.add(out.in({"training", "训练集"}), run.identification.train);
-      rows.add(out.in({"test", "测试集"}), run.identification.test);
+      rows.add(out.in(words(Label::train)), run.identification.train);
+      rows.add(out.in(words(Label::test)), run.identification.test);
     }
   }
   if (const std::string text = rows.text(out.language()); !text.empty()) out.line(text);
@@ -90,7 +91,7 @@ void write_mape_rows(TerminalText& out, const Comparison& comparison) {
 
 void write_metrics(TerminalText& out, const Comparison& comparison) {
   TextTable table(
-      {out.in({"method", "方法"}), out.in({"part", "数据"}), "MAE", "MSE", "RMSE", "MAPE %", "R²"});
+      {out.in({"method", "方法"}), out.in({"part", "部分"}), "MAE", "MSE", "RMSE", "MAPE %", "R²"});
   for (const Contestant& c : comparison.contestants) {
     const auto add = [&](const Words& part, const std::optional<MetricSpreads>& m) {
       if (!m) return;
@@ -98,7 +99,7 @@ void write_metrics(TerminalText& out, const Comparison& comparison) {
                  spread_text(m->mape_percent, 4), determination_spread(m->r2)});
     };
     add(kTrainingPart, c.train);
-    add(kTestPart, c.test);
+    add(words(Label::test), c.test);
   }
   const Unit& unit = comparison.contestants.front().runs.front().identification.output_unit;
   const std::string repeats = amount(comparison.repeats, {"repeat", "次重复"}, out.language());
@@ -113,8 +114,8 @@ void write_costs(TerminalText& out, const Comparison& comparison) {
                                              {"iterations", "迭代次数"},
                                              {"ratio", "比值"},
                                              {"time, s", "时间，s"},
-                                             {"time ratio", "时间比"},
-                                             {"test MSE ratio", "测试 MSE 比"},
+                                             {"time ratio", "时间之比"},
+                                             {"test MSE ratio", "测试 MSE 之比"},
                                              {"ended", "终止"}}),
                   Left::last_too);
   for (const Contestant& c : comparison.contestants) {
@@ -132,8 +133,8 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
                                  [](const Contestant& c) { return c.truth.has_value(); });
   if (!known) return;
   TextTable table(header_in(out.language(), {{"method", "方法"},
-                                             {"rms error / std. error", "均方根误差 / 标准误差"},
-                                             {"rms error / bound", "均方根误差 / 下界"},
+                                             {"rms error / std. error", "误差均方根 / 标准误差"},
+                                             {"rms error / bound", "误差均方根 / 下界"},
                                              {"largest error", "最大误差"},
                                              {"of", "所在项"}}),
                   Left::last_too);

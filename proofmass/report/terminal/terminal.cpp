@@ -19,6 +19,7 @@
 #include "proofmass/report/terminal/with_figures_internal.hpp"
 #include "proofmass/report/text/endings.hpp"
 #include "proofmass/report/text/findings.hpp"
+#include "proofmass/report/text/label.hpp"
 
 namespace proofmass {
 namespace {
@@ -72,15 +73,15 @@ void write_coefficients(TerminalText& out, std::span<const Coefficient> coeffici
 
 void write_mape_rows(TerminalText& out, const Identification& result) {
   MapeRows rows;
-  rows.add(out.in({"training", "训练集"}), result.train);
-  rows.add(out.in({"validation", "验证集"}), result.validation);
-  rows.add(out.in({"test", "测试集"}), result.test);
+  rows.add(out.in(words(Label::train)), result.train);
+  rows.add(out.in(words(Label::validation)), result.validation);
+  rows.add(out.in(words(Label::test)), result.test);
   rows.add(out.in({"left-out", "留一法"}), result.leave_one_out);
   if (const std::string text = rows.text(out.language()); !text.empty()) out.line(text);
 }
 
 void write_metrics(TerminalText& out, const Identification& result) {
-  TextTable table({out.in({"part", "数据"}), out.in({"rows", "行数"}), "RMSE", "MAE", "R²", "MAPE %", "MSE"});
+  TextTable table({out.in({"part", "部分"}), out.in({"rows", "行数"}), "RMSE", "MAE", "R²", "MAPE %", "MSE"});
   const auto add = [&](const Words& part, const std::optional<Metrics>& m) {
     if (!m) return;
     table.add({out.in(part), std::to_string(m->n), significant_text(m->rmse, 5), significant_text(m->mae, 5),
@@ -88,10 +89,10 @@ void write_metrics(TerminalText& out, const Identification& result) {
                significant_text(m->mse, 5)});
   };
   add(kTrainingPart, result.train);
-  add(kValidationPart, result.validation);
-  add(kTestPart, result.test);
-  add(kLeaveOneOut, result.leave_one_out);
-  add(kLeaveOneMountOut, result.leave_one_mount_out);
+  add(words(Label::validation), result.validation);
+  add(words(Label::test), result.test);
+  add(words(Label::leave_one_out), result.leave_one_out);
+  add(words(Label::leave_one_mount_out), result.leave_one_mount_out);
   out.heading(with_figures({"Errors, in {}", "误差，单位 {}"}, out.language(), result.output_unit.symbol));
   out.first_columns(table);
   write_mape_rows(out, result);
@@ -106,7 +107,7 @@ void write_suspects(TerminalText& out, const std::vector<SuspectRow>& suspects, 
   if (shown < suspects.size())
     heading += with_figures({", the first {} here", "，以下为前 {} 行"}, out.language(), shown);
   out.heading(heading);
-  TextTable table({suspects.front().line ? out.in({"line", "行号"}) : out.in({"row", "行序"}),
+  TextTable table({suspects.front().line ? out.in({"line", "文件行号"}) : out.in({"row", "行序号"}),
                    with_figures({"residual, {}", "残差，{}"}, out.language(), output.symbol),
                    out.in({"over scale", "与尺度之比"}), out.in({"weight", "权"})});
   for (std::size_t k = 0; k < shown; ++k) {
@@ -218,7 +219,7 @@ std::string render_table(const Identification& result, const TerminalStyle& styl
     std::vector<Coefficient> referred = referred_to_input(result);
     std::erase_if(referred, [](const Coefficient& c) { return c.term == Term::Ki; });  // 1 by definition
     if (!referred.empty()) {
-      out.heading(out.in({"Referred to input (divided by Ki)", "折算到输入端（除以 Ki）"}));
+      out.heading(out.in(words(Label::referred)));
       write_coefficients(out, referred, Unit{});
     }
   }

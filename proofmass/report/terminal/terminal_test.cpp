@@ -194,7 +194,7 @@ TEST(Terminal, SpeaksChinese) {
   const std::string text = render_table(full_result("mA"), {.language = Language::zh});
   for (const char* const part :
        {"ols，模型 quadratic，随机种子 ", "警告：2 行偏离拟合过远", "标准误差", "Koq 不可辨识：与 Kii 混叠",
-        "折算到输入端（除以 Ki）", "误差，单位 mA", "训练集", "留一法", "MAPE 不计小于输出范围 1 % 的输出",
+        "折算到输入（除以 Ki）", "误差，单位 mA", "训练集", "留一法", "MAPE 不计小于输出范围 1 % 的输出",
         "可疑行：12，以下为前 10 行", "行号", "终止：直接求解", "由双倍工作精度的正规方程直接求解：70 行数据",
         "残差标准差 1e-06 mA；自由度 66；调整 R²", "依据：全部数据行均参与拟合", "依据：标准误差为渐近值",
         "80 列宽度内未显示：p、95 % 置信区间"}) {

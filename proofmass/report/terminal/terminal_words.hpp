@@ -15,12 +15,8 @@ namespace proofmass {
 [[nodiscard]] Words severity_words(Severity severity) noexcept;
 [[nodiscard]] Words status_words(EndingStatus status) noexcept;
 
-// Parts of a record, as rows of a table of errors name them.
+// Words that reports say too are Labels (report/text/label.hpp). This one is shorter in a table.
 inline constexpr Words kTrainingPart{"train", "训练集"};
-inline constexpr Words kValidationPart{"validation", "验证集"};
-inline constexpr Words kTestPart{"test", "测试集"};
-inline constexpr Words kLeaveOneOut{"leave one out", "留一法"};
-inline constexpr Words kLeaveOneMountOut{"leave one mount out", "留一安装位置法"};
 
 // "2 rows", "2 行": both words of the noun for one.
 [[nodiscard]] std::string amount(std::size_t count, const Words& noun, Language language);

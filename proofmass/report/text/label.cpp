@@ -17,11 +17,11 @@ constexpr std::array kWords{
     Words{"Contents", "目录"},
     Words{"Verdict", "结论"},
     Words{"All {count:.0f} terms of the model are identified, and no test of record and fit gave a warning.",
-          "模型的 {count:.0f} 项全部可辨识，对数据与拟合的各项检验均未给出警告。"},
+          "模型的 {count:.0f} 项全部可辨识，对记录与拟合的各项检验均未给出警告。"},
     Words{"{count:.0f} of {total:.0f} terms of the model are identified, and no test of record and fit gave "
           "a warning; the other terms are listed with the reason.",
           "模型 {total:.0f} 项中有 {count:.0f} "
-          "项可辨识，对数据与拟合的各项检验均未给出警告；其余各项及原因见下文。"},
+          "项可辨识，对记录与拟合的各项检验均未给出警告；其余各项及原因见下文。"},
     Words{"{warnings:.0f} {warnings:?warning is|warnings are} to be settled before the coefficients are "
           "used; {count:.0f} of {total:.0f} terms of the model are identified.",
           "使用系数之前须先处理 {warnings:.0f} 条警告；模型 {total:.0f} 项中有 {count:.0f} 项可辨识。"},
@@ -56,7 +56,7 @@ constexpr std::array kWords{
     Words{"How the computation ended", "计算终止情况"},
     Words{"Residual standard deviation", "残差标准差"},
     Words{"Degrees of freedom", "自由度"},
-    Words{"Adjusted R²", "调整后 R²"},
+    Words{"Adjusted R²", "调整 R²"},
     Words{"Condition number", "条件数"},
     Words{"Condition number, scaled columns", "条件数（列归一化）"},
     Words{"Iterations", "迭代次数"},
@@ -69,7 +69,7 @@ constexpr std::array kWords{
     Words{"residual, {unit}", "残差，{unit}"},
     Words{"Residuals against {what}", "残差与{what}"},
     Words{"order of rows", "行序"},
-    Words{"row", "行号"},
+    Words{"row", "行序号"},
     Words{"time", "时间"},
     Words{"temperature", "温度"},
     Words{"mount", "安装位置"},
@@ -92,10 +92,10 @@ constexpr std::array kWords{
     Words{"generation", "代数"},
     Words{"epoch", "轮次"},
     Words{"iteration", "迭代次数"},
-    Words{"RMSE, {unit}", "均方根误差，{unit}"},
+    Words{"RMSE, {unit}", "均方根误差 RMSE，{unit}"},
     Words{"best particle", "最优粒子"},
     Words{"mean of the swarm", "粒子群平均"},
-    Words{"fitness: RMSE, {unit}", "适应度：均方根误差，{unit}"},
+    Words{"fitness: RMSE, {unit}", "适应度：均方根误差 RMSE，{unit}"},
     Words{"chosen: epoch {epoch:.0f}", "所选轮次：{epoch:.0f}"},
     Words{"Test rows", "测试行"},
     Words{"Test rows: measured and predicted output", "测试行：输出的测量值与预测值"},
@@ -110,7 +110,7 @@ constexpr std::array kWords{
     Words{"Excitation", "激励"},
     Words{"Specific force along the three axes, g", "沿三轴的比力，g"},
     Words{"Each point is a row of the record. Directions and levels without points were not tested.",
-          "每点为一行数据。没有点的方向和量级未经试验。"},
+          "每点为一行数据。没有点的方向和加速度水平未经试验。"},
     Words{"Influence of single rows", "单行的影响"},
     Words{"Leverage and studentised residual", "杠杆值与学生化残差"},
     Words{"leverage", "杠杆值"},
@@ -125,9 +125,9 @@ constexpr std::array kWords{
     Words{"The terms of Ai alone without bias and scale factor: {names}.",
           "仅含 Ai 的各项（不含零偏与标度因数）：{names}。"},
     Words{"95 % confidence", "95 % 置信带"},
-    Words{"Record and settings", "数据与设置"},
-    Words{"Record", "数据文件"},
-    Words{"SHA-256 of the record", "数据文件的 SHA-256"},
+    Words{"Record and settings", "记录与设置"},
+    Words{"Record", "记录"},
+    Words{"SHA-256 of the record", "记录的 SHA-256"},
     Words{"Rows", "行数"},
     Words{"{total:.0f}: {training:.0f} training, {validation:.0f} validation, {test:.0f} test",
           "{total:.0f}：训练 {training:.0f}，验证 {validation:.0f}，测试 {test:.0f}"},
@@ -141,14 +141,14 @@ constexpr std::array kWords{
     Words{"Seed", "随机种子"},
     Words{"Version", "版本"},
     Words{"Date of this report", "报告日期"},
-    Words{"Reading of the record", "数据读取"},
+    Words{"Reading of the record", "记录的读取"},
     Words{"Nothing was skipped, converted or assumed.", "没有跳过、换算或假定任何内容。"},
     Words{"Options", "选项"},
     Words{"Figures of rows are absent: {why}", "未绘制逐行图形：{why}"},
-    Words{"the record {file} is not where it was.", "原位置没有数据文件 {file}。"},
+    Words{"the record {file} is not where it was.", "原位置没有记录 {file}。"},
     Words{"the record {file} has changed since: its SHA-256 differs.",
-          "数据文件 {file} 此后有改动：SHA-256 不同。"},
-    Words{"the result names no file of its record.", "结果未注明数据文件。"},
+          "记录 {file} 此后有改动：SHA-256 不同。"},
+    Words{"the result names no file of its record.", "结果未注明其记录。"},
     Words{"Figures show {count:.0f} of {total:.0f} rows: one of each of as many equal stretches, and besides "
           "all extremes, that is the largest residuals, the most influence and the ends of each axis. Counts "
           "and scores are over all rows.",
@@ -159,7 +159,7 @@ constexpr std::array kWords{
     Words{"Truth", "真值"},
     Words{"left out", "未选入"},
     Words{"not identifiable", "不可辨识"},
-    Words{"Cost", "计算代价"},
+    Words{"Cost", "计算量"},
     Words{"Time, s", "时间，s"},
     Words{"Test RMSE over the repeats", "各次重复的测试 RMSE"},
     Words{"Time against error", "时间与误差"},
@@ -174,7 +174,7 @@ constexpr std::array kWords{
     Words{"rms error / Cramér–Rao bound", "误差均方根 / Cramér–Rao 下界"},
     Words{"Largest error", "最大误差"},
     Words{"Repeats", "重复次数"},
-    Words{"Ended", "结束方式"},
+    Words{"Ended", "终止"},
     Words{"{methods:.0f} {methods:?method|methods} on the same rows of {input}; repeats: {repeats:.0f}, each "
           "with a split of its own; training fraction {fraction:.3g}.",
           "对 {input} 的相同数据行比较 {methods:.0f} 种方法；重复 {repeats:.0f} 次，每次另行划分；训练比例 "
@@ -195,15 +195,15 @@ constexpr std::array kWords{
           "truth, {rows:.0f} rows, white noise of {noise:.4g} µg, seed {seed:.0f}, 70 % of the rows to train "
           "on. Figures of the two experiments need not agree, for the records differ; their order and the "
           "costs should.",
-          "论文的数据未公开。此处使用模拟数据（{twin}）：以论文系数为真值，{rows:.0f} 行，白噪声 {noise:.4g} "
-          "µg，随机种子 {seed:.0f}，70 % 的行用于训练。数据不同，两者的数值不必一致；次序与代价应当一致。"},
+          "论文的记录未公开。此处使用仿真记录（{twin}）：以论文系数为真值，{rows:.0f} 行，白噪声 {noise:.4g} "
+          "µg，随机种子 {seed:.0f}，70 % 的行用于训练。记录不同，两者的数值不必一致；次序与计算量应当一致。"},
     Words{"The paper: {citation}.", "论文：{citation}。"},
-    Words{"Table 1: size of the hidden layer", "表 1：隐含层节点数"},
+    Words{"Table 1: size of the hidden layer", "表 1：隐层单元数"},
     Words{"Training MSE of textbook BP in ({unit})²; repeats with other splits and starts: {repeats:.0f}. "
           "The paper chose 7 of 3…12 by this figure alone.",
           "标准 BP 的训练 MSE，单位 ({unit})²；另行划分与初始化的重复次数：{repeats:.0f}。论文仅凭此值从 "
           "3…12 中选择 7。"},
-    Words{"hidden units", "隐含层节点数"},
+    Words{"hidden units", "隐层单元数"},
     Words{"mean", "平均"},
     Words{"least", "最小"},
     Words{"largest", "最大"},
@@ -212,7 +212,7 @@ constexpr std::array kWords{
           "counts as zero; \"–\" was not asked for. The truth of the twin is what the paper's PSO-BP "
           "identified; the paper gives 8 coefficients by LSM, 10 by GMDH and 15 by PSO-BP.",
           "单位见第二列，± "
-          "一倍标准误差。“未选入”为方法自身的选择，按零计；“–”表示未要求该项。模拟数据的真值取论文 PSO-BP "
+          "一倍标准误差。“未选入”为方法自身的选择，按零计；“–”表示未要求该项。仿真的真值取论文 PSO-BP "
           "的辨识结果；论文中 LSM 给出 8 个系数，GMDH 10 个，PSO-BP 15 个。"},
     Words{"the paper's PSO-BP: our truth", "论文 PSO-BP：此处的真值"},
     Words{"test MSE", "测试 MSE"},
@@ -230,19 +230,19 @@ constexpr std::array kWords{
     Words{"Iterations", "迭代次数"},
     Words{"the paper", "论文"},
     Words{"here", "此处"},
-    Words{"BP: the sizes of Table 1, then the final training", "BP：表 1 各节点数的训练及最终训练"},
+    Words{"BP: the sizes of Table 1, then the final training", "BP：表 1 各单元数的训练及最终训练"},
     Words{"PSO-BP: the swarm's training, then the final one", "PSO-BP：粒子群的训练及最终训练"},
     Words{"ratio", "比值"},
     Words{"The paper's 11,000 are 10 sizes × 1000 + 1000; training that converges or stops early spends "
           "less. The swarm scores its particles once before its first generation, and its final training is "
           "counted here.",
-          "论文的 11 000 为 10 种节点数 × 1000 + "
+          "论文的 11 000 为 10 种单元数 × 1000 + "
           "1000；收敛或提前停止的训练用得更少。粒子群在第一代之前先评价一次全部粒子，其最终训练也计入此处。"},
     Words{"What the swarm gains over one BP run", "粒子群相对单次 BP 的收益"},
     Words{"Test MSE of one textbook BP run over that of PSO-BP, geometric mean over {records:.0f} records. "
           "The paper's is 293. With the paper's noise BP already ends near the noise, and no method can be "
           "much better; at 1 µg the training decides.",
-          "单次标准 BP 的测试 MSE 与 PSO-BP 之比，{records:.0f} 份数据的几何平均。论文为 293。在论文的噪声下 "
+          "单次标准 BP 的测试 MSE 与 PSO-BP 之比，{records:.0f} 份记录的几何平均。论文为 293。在论文的噪声下 "
           "BP 已接近噪声，任何方法都难以更好；噪声为 1 µg 时由训练决定。"},
     Words{"noise, µg", "噪声，µg"},
     Words{"iterations of BP", "BP 的迭代次数"},
