@@ -44,12 +44,12 @@ void run_reproduce(const ReproduceFlags& flags) {
   OutputFiles files;
   if (!flags.out.empty()) {
     files.make_folder(flags.out);
-    for (const NamedText& file : reproduction_files(made))
+    for (const NamedText& file : reproduction_files(made, flags.common.language))
       files.add(fs::path(flags.out) / file.name, file.text);
   }
   if (!flags.report.empty())
     files.add(flags.report, render_report(made, {.language = flags.common.language, .date = today()}));
-  if (flags.report != "-") files.add("-", render_reproduction(made));
+  if (flags.report != "-") files.add("-", render_reproduction(made, flags.common.language));
   files.commit();
 }
 

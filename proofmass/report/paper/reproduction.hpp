@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "proofmass/report/text/language.hpp"
 #include "proofmass/study/paper/reproduction.hpp"
 
 namespace proofmass {
@@ -15,10 +16,11 @@ struct NamedText {
 
 // The page that puts the paper's figures beside ours, in Markdown; its pictures are those of
 // reproduction_files.
-[[nodiscard]] std::string render_reproduction(const Reproduction& made);
+[[nodiscard]] std::string render_reproduction(const Reproduction& made, Language language = Language::en);
 
 // reproduction.md, the tables' data (table-1.csv, table-2.json, table-3.json) and the data and pictures of
 // the figures (figure-4-….csv, figure-4-….svg, ...).
-[[nodiscard]] std::vector<NamedText> reproduction_files(const Reproduction& made);
+[[nodiscard]] std::vector<NamedText> reproduction_files(const Reproduction& made,
+                                                        Language language = Language::en);
 
 }  // namespace proofmass

@@ -75,6 +75,15 @@ TEST(Reproduce, HasEveryTableAndFigure) {
   }
   EXPECT_THAT(files.at(0).text, ::testing::StartsWith("# The paper's experiment, repeated\n\nThe paper: " +
                                                       std::string(kPaperCitation) + ".\n"));
+  const std::vector<NamedText> chinese = reproduction_files(made, Language::zh);
+  ASSERT_EQ(chinese.size(), files.size());
+  const std::string& page = chinese.at(0).text;
+  EXPECT_THAT(page,
+              ::testing::StartsWith("# 论文实验的复现\n\n论文：" + std::string(kPaperCitation) + "。\n"));
+  EXPECT_THAT(page, ::testing::Not(::testing::HasSubstr(" the ")));
+  EXPECT_EQ(std::count(page.begin(), page.end(), '|'),
+            std::count(files.at(0).text.begin(), files.at(0).text.end(), '|'));
+  EXPECT_EQ(chinese.at(1).text, files.at(1).text);  // data
   const double variance = implied_variance(made.networks.contestants[0]).value();
   for (const Contestant& c : made.networks.contestants) {
     EXPECT_NEAR(implied_variance(c).value(), variance, 1e-5 * variance);
