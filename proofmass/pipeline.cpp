@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/pipeline.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -21,7 +19,6 @@
 #include "proofmass/assess/selection/hidden_search.hpp"
 #include "proofmass/assess/test_curve.hpp"
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/core/version.hpp"
 #include "proofmass/identify/method_options.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
@@ -46,9 +43,9 @@ void require_training_rows(const Dataset& record, const Split& split, const Iden
   if (record.rows() >= needed && *options.split < 1.0) remedies.push_back({"split", "1"});
   remedies.push_back({"terms", ""});
   throw Error(ErrorKind::bad_data,
-              fmt::format("{}: {}, {} of them used for fitting (split {}), {} needed for {}", record.source,
-                          amount_text(record.rows(), "row"), split.training.size(), *options.split, needed,
-                          amount_text(options.terms.size(), "term")),
+              message("{}: {}, {} of them used for fitting (split {}), {} needed for {}", record.source,
+                      amount_of(record.rows(), "row", "rows"), split.training.size(), *options.split, needed,
+                      amount_of(options.terms.size(), "term", "terms")),
               std::move(remedies));
 }
 
@@ -179,12 +176,12 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
 
 Split split_again(const Dataset& record, const Run& result) {
   const Identification& made = result.identification;
-  const auto contradiction = [&](const std::string& what) {
+  const auto contradiction = [&](const Message& what) {
     return Error(
         ErrorKind::bad_data,
-        fmt::format("{}: {}, which contradicts the result; the result file was changed, or made by another "
-                    "version",
-                    record.source, what));
+        message("{}: {}, which contradicts the result; the result file was changed, or made by another "
+                "version",
+                record.source, what));
   };
   const auto option = [&](std::string_view name) -> std::string_view {
     for (const auto& [known, value] : result.provenance.options)
@@ -198,7 +195,7 @@ Split split_again(const Dataset& record, const Run& result) {
     const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
     if (!whole || !(value >= 0.0 && value <= 1.0))
-      throw contradiction(fmt::format("option {} is '{}'", name, text));
+      throw contradiction(message("option {} is '{}'", name, text));
     return value;
   };
   const bool early = option("early-stopping") == "on";
@@ -214,8 +211,8 @@ Split split_again(const Dataset& record, const Run& result) {
   };
   if (!counts(made.train, split.training) || !counts(made.validation, split.validation) ||
       !counts(made.test, split.test)) {
-    throw contradiction(fmt::format("{} training, {} validation and {} test rows by the options",
-                                    split.training.size(), split.validation.size(), split.test.size()));
+    throw contradiction(message("{} training, {} validation and {} test rows by the options",
+                                split.training.size(), split.validation.size(), split.test.size()));
   }
   return split;
 }

@@ -20,25 +20,24 @@ namespace {
 std::pair<std::size_t, std::size_t> part_sizes(std::size_t rows, const SplitOptions& options) {
   const double training = options.training_fraction;
   if (!(training > 0.0 && training <= 1.0)) {
-    throw usage_error(fmt::format("split must be more than 0 and at most 1, got {}", training));
+    throw usage_error(message("split must be more than 0 and at most 1, got {}", training));
   }
   const double validation = options.validation_fraction;
   if (!(validation >= 0.0 && validation < training)) {
-    throw usage_error(fmt::format(
-        "the validation fraction must be at least 0 and less than the training fraction {}, got {}", training,
-        validation));
+    throw usage_error(
+        message("the validation fraction must be at least 0 and less than the training fraction {}, got {}",
+                training, validation));
   }
   const auto count = [rows](double part) {
     return static_cast<std::size_t>(std::llround(part * static_cast<double>(rows)));
   };
   if (rows > 0 && count(validation) >= count(training)) {
-    throw usage_error(
-        fmt::format("a split of {} with a validation fraction of {} leaves no training rows of {}", training,
-                    validation, rows));
+    throw usage_error(message("a split of {} with a validation fraction of {} leaves no training rows of {}",
+                              training, validation, rows));
   }
   if (rows > 0 && validation > 0.0 && count(validation) == 0) {
     throw usage_error(
-        fmt::format("a validation fraction of {} leaves no validation row of {}", validation, rows));
+        message("a validation fraction of {} leaves no validation row of {}", validation, rows));
   }
   return {count(training), count(validation)};
 }
@@ -54,12 +53,11 @@ double largest_fraction(std::size_t rows) {
 void require_test_row(std::size_t rows, double fraction, std::size_t training) {
   if (rows < 2 || fraction >= 1.0 || training < rows) return;
   const std::string most = fmt::format("{}", largest_fraction(rows));
-  throw Error(
-      ErrorKind::usage,
-      fmt::format("a split of {} leaves none of {} rows to test on: it must be 1, to fit all rows, or at "
-                  "most {}",
-                  fraction, rows, most),
-      {{"split", "1"}, {"split", most}});
+  throw Error(ErrorKind::usage,
+              message("a split of {} leaves none of {} rows to test on: it must be 1, to fit all rows, or at "
+                      "most {}",
+                      fraction, rows, most),
+              {{"split", "1"}, {"split", most}});
 }
 
 Split drawn_rows(std::size_t rows, const SplitOptions& options, std::uint64_t seed) {
@@ -149,8 +147,8 @@ Split split_mounts(std::span<const std::string> mounts, const SplitOptions& opti
   const std::size_t parts = 1 + set_aside + (validation > 0 ? std::size_t{1} : 0);
   if (members.size() < parts) {
     throw usage_error(
-        fmt::format("whole mounts cannot be set aside: the record has {} and {} parts need one each",
-                    members.size(), parts));
+        message("whole mounts cannot be set aside: the record has {} and {} parts need one each",
+                members.size(), parts));
   }
   RandomStream random(seed, stream_id("split mounts"));
   std::vector<std::size_t> order = random_permutation(members.size(), random);
@@ -180,8 +178,8 @@ std::vector<Split> trials_of(const SplitOptions& options, std::size_t rows, std:
   for (std::size_t r = 0; r < trials; ++r) {
     Split drawn = draw(seed + r);
     if (drawn.test.empty()) {
-      throw usage_error(fmt::format("a validation fraction of {} sets none of {} rows aside to choose by",
-                                    options.validation_fraction, rows));
+      throw usage_error(message("a validation fraction of {} sets none of {} rows aside to choose by",
+                                options.validation_fraction, rows));
     }
     splits.push_back(
         {.training = std::move(drawn.training), .validation = std::move(drawn.test), .test = {}});

@@ -53,14 +53,14 @@ void add_language(CLI::App& verb, CommonFlags& flags) {
     const auto* const word = std::find_if(kLanguageWords.begin(), kLanguageWords.end(),
                                           [&text](const Word<Language>& one) { return one.text == text; });
     if (word == kLanguageWords.end()) {
-      throw usage_error(
-          fmt::format("--lang: found '{}', expected one of {}", excerpt(text), list_of(kLanguageWords)));
+      throw not_one_of("--lang", text, list_of(kLanguageWords));
     }
     flags.language = word->value;
   };
-  verb.add_option_function<std::string>("--lang", take,
-                                        "Language of tables and findings: English or Chinese (default en); "
-                                        "reports open in it; other files and errors are in English")
+  verb.add_option_function<std::string>(
+          "--lang", take,
+          "Language of tables, findings and errors: English or Chinese (default "
+          "en); reports open in it; other files and this help are in English")
       ->type_name(list_of(kLanguageWords, "|"))
       ->take_last();
 }
@@ -68,7 +68,7 @@ void add_language(CLI::App& verb, CommonFlags& flags) {
 CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& path, const std::string& help) {
   const auto take = [option, &path](const std::string& text) {
     if (text.empty())
-      throw usage_error(fmt::format("{}: found an empty name, expected a file or folder", option));
+      throw usage_error(message("{}: found an empty name, expected a file or folder", option));
     path = text;
   };
   return verb.add_option_function<std::string>(option, take, help);

@@ -80,8 +80,7 @@ void set(Options& options, const std::string& name, const std::string& text) {
     set_option(options, name, text);
   } catch (const Error& error) {
     // By its present name; the user may have typed a former one.
-    const std::string_view complaint = error.what();
-    throw usage_error(fmt::format("--{}{}", name, complaint.substr(complaint.find(':'))));
+    throw usage_error(message("--{}: {}", name, error.message().values().back()));
   }
 }
 
@@ -103,8 +102,7 @@ void IdentifyFlags::take_terms_from(const std::string& flag, const std::string& 
 void IdentifyFlags::add_terms(CLI::App& verb) {
   const auto take_model = [this](const std::string& text) {
     if (text.empty() || word_of(kModelWords, std::string_view(text)) != text) {
-      throw usage_error(
-          fmt::format("--model: found '{}', expected one of {}", excerpt(text), list_of(kModelWords)));
+      throw not_one_of("--model", text, list_of(kModelWords));
     }
     take_terms_from("model", text);
   };
@@ -176,8 +174,8 @@ void IdentifyFlags::require_one_name() const {
   };
   for (const SharedOption& option : shared_options()) {
     if (option.info.former.empty() || !is_given(option.info.former) || !is_given(option.info.name)) continue;
-    throw usage_error(fmt::format("--{} is the former name of --{}: give one of them", option.info.former,
-                                  option.info.name));
+    throw usage_error(
+        message("--{} is the former name of --{}: give one of them", option.info.former, option.info.name));
   }
 }
 
@@ -187,8 +185,8 @@ void IdentifyFlags::require_taken(std::span<const Method> chosen) const {
   for (const auto& [name, text] : given_) {
     const auto takes_it = [&name = name](const Method& method) { return takes(method, name); };
     if (std::any_of(chosen.begin(), chosen.end(), takes_it)) continue;
-    throw usage_error(fmt::format("--{} is an option of {}; {} {} not take it", name, joined(takers(name)),
-                                  joined(names), names.size() == 1 ? "does" : "do"));
+    throw usage_error(message("--{} is an option of {}; {} {} not take it", name, joined(takers(name)),
+                              joined(names), names.size() == 1 ? Message("does") : Message("do")));
   }
 }
 
@@ -202,8 +200,7 @@ std::vector<Method> IdentifyFlags::methods(std::span<const std::string> names) c
     for (const auto& [name, text] : given_) {
       if (name != kPreset) continue;
       if (word_of(kPresetWords, text == "paper") != text) {
-        throw usage_error(
-            fmt::format("--preset: found '{}', expected one of {}", excerpt(text), list_of(kPresetWords)));
+        throw not_one_of("--preset", text, list_of(kPresetWords));
       }
       if (text == "paper") apply_paper_preset(method);
     }

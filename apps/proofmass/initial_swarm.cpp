@@ -20,7 +20,7 @@ double coordinate(std::string_view text, const Place& place) {
   double value = 0.0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (status != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw bad_data(place, text.empty() ? "nothing" : text, "a finite number");
+    throw bad_data(place, text.empty() ? FoundText("nothing") : FoundText(text), "a finite number");
   }
   return value;
 }

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <string_view>
+#include <string>
 
 #include "proofmass/core/error.hpp"
 
@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 constexpr int kInterrupted = 130;  // exit_code(ErrorKind::interrupted)
-constexpr std::string_view kFarewell = "proofmass: error: interrupted; nothing was written\n";
 
+std::string farewell;  // as a handler finds it: written before there is one
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "or a signal handler must not touch it");
 
 // Both do only what POSIX allows in a handler.
 extern "C" void leave(int) {
-  const auto unheard = write(STDERR_FILENO, kFarewell.data(), kFarewell.size());
+  const auto unheard = write(STDERR_FILENO, farewell.data(), farewell.size());
   static_cast<void>(unheard);
   _exit(kInterrupted);
 }
@@ -50,7 +50,8 @@ void handle(int signal_number, void (*handler)(int), struct sigaction& before) {
 
 }  // namespace
 
-void leave_when_interrupted() {
+void leave_when_interrupted(const std::string& word) {
+  farewell = word;
   struct sigaction before {};
   for (const int signal_number : kSignals) handle(signal_number, leave, before);
 }
@@ -65,8 +66,10 @@ InterruptGuard::~InterruptGuard() {
 
 bool interrupted() noexcept { return asked.load(); }
 
+Error interruption() { return Error(ErrorKind::interrupted, "interrupted; nothing was written"); }
+
 void stop_if_interrupted() {
-  if (interrupted()) throw Error(ErrorKind::interrupted, "interrupted; nothing was written");
+  if (interrupted()) throw interruption();
 }
 
 }  // namespace proofmass::cli

@@ -3,13 +3,16 @@
 
 #include <array>
 #include <csignal>
+#include <string>
+
+#include "proofmass/core/error.hpp"
 
 namespace proofmass::cli {
 
 // From here on SIGINT, SIGTERM and SIGHUP end the process with the contract's exit code and a word to
 // standard error, whatever it is waiting for. For as long as nothing has been written, nothing need be
 // undone.
-void leave_when_interrupted();
+void leave_when_interrupted(const std::string& word);
 
 // While it lives, those signals ask the work to stop instead, so that it can clean up; a second one ends the
 // process.
@@ -26,7 +29,9 @@ class InterruptGuard {
 
 [[nodiscard]] bool interrupted() noexcept;
 
-// Throws an Error of kind interrupted when asked to stop.
+[[nodiscard]] Error interruption();
+
+// Throws it when asked to stop.
 void stop_if_interrupted();
 
 }  // namespace proofmass::cli

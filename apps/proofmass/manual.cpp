@@ -95,9 +95,8 @@ std::string manual_page(const CLI::App& app, std::string_view name) {
     if (verb->get_name() == name) return of_verb(*verb);
   }
   const std::vector<std::string> names = verb_names(app);
-  throw usage_error(
-      fmt::format("manual: unknown verb '{}'{}", excerpt(name),
-                  did_you_mean(name, std::vector<std::string_view>(names.begin(), names.end()))));
+  throw usage_error(message("manual: unknown verb '{}'{}", excerpt(name),
+                            did_you_mean(name, std::vector<std::string_view>(names.begin(), names.end()))));
 }
 
 }  // namespace proofmass::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output.hpp"
 
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -44,8 +43,7 @@ void print(std::string_view text) {
     }
     if (errno == EPIPE) return;  // the reader has seen enough, as head does
     if (errno == EINTR) continue;
-    throw usage_error(
-        fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
+    throw usage_error(message("cannot write to standard output: {}", system_reason(errno)));
   }
 }
 
@@ -76,7 +74,8 @@ void OutputFiles::make_folder(const fs::path& path) {
     if (fs::is_directory(folder, failure)) continue;
     if (fs::create_directory(folder, failure)) new_folders_.push_back(folder);
     if (failure) {
-      throw usage_error(fmt::format("cannot make the folder '{}': {}", path.string(), failure.message()));
+      throw usage_error(
+          message("cannot make the folder '{}': {}", path.string(), system_reason(failure.value())));
     }
   }
 }
@@ -115,7 +114,7 @@ void require_other_file(const fs::path& output, std::initializer_list<fs::path> 
     std::error_code ignored;
     if (input == "-" || !fs::is_regular_file(output, ignored)) continue;
     if (fs::equivalent(output, input, ignored)) {
-      throw usage_error(fmt::format("'{}' is an input: writing it would destroy it", output.string()));
+      throw usage_error(message("'{}' is an input: writing it would destroy it", output.string()));
     }
   }
 }
@@ -129,7 +128,7 @@ void require_distinct_outputs(std::initializer_list<fs::path> outputs) {
         output == "-" ? output : fs::weakly_canonical(fs::absolute(output, ignored), ignored);
     if (!seen.insert(place).second) {
       throw usage_error(
-          fmt::format("'{}' is to be written twice: give each output a file of its own", output.string()));
+          message("'{}' is to be written twice: give each output a file of its own", output.string()));
     }
   }
 }
@@ -138,8 +137,8 @@ void require_folder_of(const fs::path& file) {
   if (file.empty() || file == "-" || !file.has_parent_path()) return;
   std::error_code ignored;
   if (!fs::is_directory(file.parent_path(), ignored)) {
-    throw usage_error(fmt::format("cannot write '{}': there is no folder '{}'", file.string(),
-                                  file.parent_path().string()));
+    throw usage_error(
+        message("cannot write '{}': there is no folder '{}'", file.string(), file.parent_path().string()));
   }
 }
 
@@ -151,15 +150,14 @@ void require_writable_file(const fs::path& file) {
   if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) {
     OutputFiles().add(file, std::string_view{});
   } else if (access(file.c_str(), W_OK) != 0) {
-    throw usage_error(
-        fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(errno)));
+    throw usage_error(message("cannot write '{}': {}", file.string(), system_reason(errno)));
   }
 }
 
 void require_writable(const fs::path& folder, std::initializer_list<fs::path> files) {
   std::error_code ignored;
   if (!folder.empty() && fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
-    throw usage_error(fmt::format("--out: '{}' is not a folder", folder.string()));
+    throw usage_error(message("--out: '{}' is not a folder", folder.string()));
   }
   OutputFiles attempt;  // the folder is there while the files in it are tried
   if (!folder.empty()) {

@@ -31,8 +31,7 @@ void add_choice(CLI::App& verb, const std::string& option, const std::array<Word
       value = word.value;
       return;
     }
-    throw usage_error(
-        fmt::format("{}: found '{}', expected one of {}", option, excerpt(text), list_of(words)));
+    throw not_one_of(option, text, list_of(words));
   };
   verb.add_option_function<std::string>(option, take,
                                         fmt::format("{} (default {})", help, words.front().text))
@@ -78,10 +77,11 @@ std::map<std::string, std::string> renames(const std::vector<std::string>& map) 
                                                      : trimmed(std::string_view(part).substr(equals + 1)));
       std::erase(column, '"');
       if (last.empty() || column.empty()) {
-        throw usage_error(fmt::format("--map: found '{}', expected NAME=COLUMN, as Ai=ax", excerpt(part)));
+        throw usage_error(message("--map: {}", message("found '{}', expected {}", excerpt(part),
+                                                       message("NAME=COLUMN, as Ai=ax"))));
       }
       if (!columns.emplace(last, column).second)
-        throw usage_error(fmt::format("--map: '{}' is given twice", last));
+        throw usage_error(message("--map: '{}' is given twice", last));
     }
   }
   return columns;

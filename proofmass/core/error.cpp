@@ -38,27 +38,34 @@ std::string excerpt(std::string_view text, std::size_t most) {
   return shown;
 }
 
-Error bad_data(const Place& place, std::string_view found, std::string_view expected,
+Error bad_data(const Place& place, const FoundText& found, const Message& expected,
                std::vector<Remedy> remedies) {
-  std::string message = place.file;
-  if (place.row > 0) message += fmt::format(":{}", place.row);
-  message += ": ";
-  if (!place.column.empty()) message += fmt::format("{} '{}': ", place.what, excerpt(place.column));
-  if (!found.empty()) message += fmt::format("found '{}', ", excerpt(found));
-  message += fmt::format("expected {}", expected);
-  return {ErrorKind::bad_data, message, std::move(remedies)};
+  Message said = found.words.empty() ? message("expected {}", expected)
+                                     : message("found '{}', expected {}", found.words, expected);
+  if (!place.column.empty())
+    said = message("{}: {}",
+                   place.is_key ? message("key '{}'", excerpt(place.column))
+                                : message("column '{}'", excerpt(place.column)),
+                   said);
+  const Message where =
+      place.row > 0 ? message("{}:{}", place.file, place.row) : Message::verbatim(place.file);
+  return {ErrorKind::bad_data, message("{}: {}", where, said), std::move(remedies)};
+}
+
+Message system_reason(int error_number) {
+  return Message::foreign(std::generic_category().message(error_number));
 }
 
 Error cannot_open(std::string_view file, int error_number) {
   std::string reason = std::generic_category().message(error_number);
   if (!reason.empty())
     reason.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(reason.front())));
-  return {ErrorKind::bad_data, fmt::format("cannot open {}: {}", file, reason)};
+  return {ErrorKind::bad_data, message("cannot open {}: {}", file, Message::foreign(reason))};
 }
 
-Error usage_error(const std::string& message) { return {ErrorKind::usage, message}; }
+Error usage_error(const Message& message) { return {ErrorKind::usage, message}; }
 
-Error refusal(const std::string& message, std::vector<Remedy> remedies, std::vector<Finding> findings) {
+Error refusal(const Message& message, std::vector<Remedy> remedies, std::vector<Finding> findings) {
   return {ErrorKind::refused, message, std::move(remedies), std::move(findings)};
 }
 

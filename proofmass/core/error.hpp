@@ -12,6 +12,7 @@
 
 #include "proofmass/core/ending.hpp"
 #include "proofmass/core/finding.hpp"
+#include "proofmass/core/message.hpp"
 
 namespace proofmass {
 
@@ -34,13 +35,16 @@ struct Remedy {
 
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message, std::vector<Remedy> remedies = {},
+  Error(ErrorKind kind, Message message, std::vector<Remedy> remedies = {},
         std::vector<Finding> findings = {})
-      : std::runtime_error(message),
+      : std::runtime_error(message.english()),
         kind_(kind),
+        message_(std::move(message)),
         remedies_(std::move(remedies)),
         findings_(std::move(findings)) {}
   [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
+  // What what() says in English, as data; in the reader's language by report/text/messages.
+  [[nodiscard]] const Message& message() const noexcept { return message_; }
   [[nodiscard]] const std::vector<Remedy>& remedies() const noexcept { return remedies_; }
   // What led to it, such as why each term is not identified; their sentences are in report/text.
   [[nodiscard]] const std::vector<Finding>& findings() const noexcept { return findings_; }
@@ -53,34 +57,52 @@ class Error : public std::runtime_error {
 
  private:
   ErrorKind kind_;
+  Message message_;
   std::vector<Remedy> remedies_;
   std::vector<Finding> findings_;
   std::vector<EndingPart> ending_;
 };
 
+// The text for use in an error message: cut after `most` characters, unprintable bytes escaped.
+[[nodiscard]] std::string excerpt(std::string_view text, std::size_t most = 60);
+
 // The place of a fault in a file. Row 0 means the whole file. Rows count lines from 1 as an editor does,
 // including header and comments. An empty column means the whole row. In a settings file the "column" is a
-// key; `what` holds the word to print for it.
+// key.
 struct Place {
   std::string file;
   std::size_t row = 0;
   std::string column{};
-  std::string_view what = "column";
+  bool is_key = false;
 };
 
-// "file:row: column 'Ai': found 'abc', expected a number"; `found` longer than 60 characters is shortened and
-// its unprintable bytes are shown escaped. An empty `found` is left out.
-[[nodiscard]] Error bad_data(const Place& place, std::string_view found, std::string_view expected,
+// What stands where something else was expected: text of the file, shortened when it is longer than 60
+// characters and its unprintable bytes escaped; or words about it, such as "no data rows".
+struct FoundText {
+  FoundText() = default;  // nothing to say of it
+  // NOLINTBEGIN(google-explicit-constructor)
+  FoundText(std::string_view text) : words(Message::verbatim(excerpt(text))) {}
+  FoundText(const std::string& text) : FoundText(std::string_view(text)) {}
+  FoundText(Message about) : words(std::move(about)) {}
+  template <std::size_t size>
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-c-arrays,modernize-avoid-c-arrays)
+  FoundText(const char (&about)[size]) : words(about) {}
+  // NOLINTEND(google-explicit-constructor)
+  Message words{};
+};
+
+// "file:row: column 'Ai': found 'abc', expected a number". An empty `found` is left out.
+[[nodiscard]] Error bad_data(const Place& place, const FoundText& found, const Message& expected,
                              std::vector<Remedy> remedies = {});
 
-// The text for use in an error message: cut after `most` characters, unprintable bytes escaped.
-[[nodiscard]] std::string excerpt(std::string_view text, std::size_t most = 60);
+// Why the operating system refused, by its error number: "No such file or directory".
+[[nodiscard]] Message system_reason(int error_number);
 
 // "cannot open FILE: no such file or directory", by the operating system's error number.
 [[nodiscard]] Error cannot_open(std::string_view file, int error_number);
 
-[[nodiscard]] Error usage_error(const std::string& message);
-[[nodiscard]] Error refusal(const std::string& message, std::vector<Remedy> remedies = {},
+[[nodiscard]] Error usage_error(const Message& message);
+[[nodiscard]] Error refusal(const Message& message, std::vector<Remedy> remedies = {},
                             std::vector<Finding> findings = {});
 
 // The process exit code: 1 internal, 2 usage, 3 bad data, 4 refused, 130 interrupted.

@@ -71,7 +71,7 @@ const Coefficient& Identification::find(Term term) const {
   for (const Coefficient& c : coefficients) {
     if (c.term == term) return c;
   }
-  throw usage_error("the term " + std::string(name(term)) + " was not among those to identify");
+  throw usage_error(message("the term {} was not among those to identify", name(term)));
 }
 
 StaticModel Identification::static_model() const {

@@ -50,9 +50,9 @@ std::string nearest_name(std::string_view word, std::span<const std::string_view
   return std::string(nearest);
 }
 
-std::string did_you_mean(std::string_view word, std::span<const std::string_view> names) {
+Message did_you_mean(std::string_view word, std::span<const std::string_view> names) {
   const std::string name = nearest_name(word, names);
-  return name.empty() ? std::string() : "; did you mean " + name + "?";
+  return name.empty() ? Message() : message("; did you mean {}?", name);
 }
 
 }  // namespace proofmass

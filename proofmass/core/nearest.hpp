@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "proofmass/core/message.hpp"
+
 namespace proofmass {
 
 // The name that a mistyped word stands for: the one with the fewest letters inserted, deleted, changed or
@@ -12,6 +14,6 @@ namespace proofmass {
 [[nodiscard]] std::string nearest_name(std::string_view word, std::span<const std::string_view> names);
 
 // "; did you mean NAME?", or nothing.
-[[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string_view> names);
+[[nodiscard]] Message did_you_mean(std::string_view word, std::span<const std::string_view> names);
 
 }  // namespace proofmass

@@ -26,8 +26,8 @@ TEST(NearestName, DoesNotGuess) {
 }
 
 TEST(NearestName, IsSaidAsAQuestion) {
-  EXPECT_EQ(did_you_mean("inspec", kNames), "; did you mean inspect?");
-  EXPECT_EQ(did_you_mean("zzz", kNames), "");
+  EXPECT_EQ(did_you_mean("inspec", kNames).english(), "; did you mean inspect?");
+  EXPECT_EQ(did_you_mean("zzz", kNames).english(), "");
 }
 
 }  // namespace

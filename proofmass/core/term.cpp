@@ -62,12 +62,12 @@ TermList parse_list(std::string_view text) {
     const auto word = trimmed(text.substr(0, comma));
     const auto term = find_term(word);
     if (!term) {
-      throw usage_error("unknown term '" + std::string(word) +
-                        "'; expected linear, quadratic, paper, full, or names among " +
-                        join_names(parse_terms("full")));
+      throw usage_error(
+          message("unknown term '{}'; expected linear, quadratic, paper, full, or names among {}", word,
+                  join_names(parse_terms("full"))));
     }
     if (std::find(list.begin(), list.end(), *term) != list.end()) {
-      throw usage_error("term '" + std::string(word) + "' is listed twice");
+      throw usage_error(message("term '{}' is listed twice", word));
     }
     list.push_back(*term);
     if (comma == std::string_view::npos) break;

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 Error write_error(const fs::path& path, int os_error) {
   // The C++ standard does not guarantee that streams set errno.
-  const std::string reason = os_error == 0 ? "output error" : std::generic_category().message(os_error);
-  return usage_error("cannot write '" + path.string() + "': " + reason);
+  const Message reason = os_error == 0 ? Message("output error") : system_reason(os_error);
+  return usage_error(message("cannot write '{}': {}", path.string(), reason));
 }
 
 // Creates a new file and returns its name. Permissions are the user's default.

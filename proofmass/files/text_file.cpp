@@ -15,7 +15,7 @@ struct Closer {
   void operator()(std::FILE* file) const noexcept { std::fclose(file); }
 };
 
-std::string read_stream(std::FILE* file, const Place& place, std::string_view what, std::size_t most) {
+std::string read_stream(std::FILE* file, const Place& place, const Message& what, std::size_t most) {
   constexpr std::size_t kChunk = std::size_t{1} << 16;
   std::string bytes;
   while (bytes.size() <= most) {
@@ -25,16 +25,16 @@ std::string read_stream(std::FILE* file, const Place& place, std::string_view wh
     bytes.resize(before + got);
     if (got < kChunk) break;
   }
-  if (std::ferror(file) != 0) throw bad_data(place, std::generic_category().message(errno), what);
+  if (std::ferror(file) != 0) throw bad_data(place, system_reason(errno), what);
   if (bytes.size() > most) {
-    throw bad_data(place, "more than " + std::to_string(most >> 20U) + " MiB", what);
+    throw bad_data(place, message("more than {} MiB", most >> 20U), what);
   }
   return bytes;
 }
 
 }  // namespace
 
-std::string read_text_file(const std::filesystem::path& path, std::string_view what, std::size_t most) {
+std::string read_text_file(const std::filesystem::path& path, const Message& what, std::size_t most) {
   if (path == "-")
     return read_stream(stdin, {.file = std::string(kStandardInput), .row = 0, .column = {}}, what, most);
   const Place place{.file = path.string(), .row = 0, .column = {}};

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "proofmass/core/message.hpp"
+
 namespace proofmass {
 
 // What "-" is called where inputs are named.
@@ -14,7 +16,7 @@ inline constexpr std::string_view kStandardInput = "standard input";
 // Reads all bytes of a small text file; "-" reads standard input. Throws a bad-data Error when the file
 // cannot be read, is a directory, or holds more than `most` bytes (which also ends endless input). The Error
 // states what was expected: `what`, such as "a result file".
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& path, std::string_view what,
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& path, const Message& what,
                                          std::size_t most);
 
 }  // namespace proofmass

@@ -51,8 +51,8 @@ Method find_method(std::string_view name) {
     names.push_back(info(method).name);
     known += (known.empty() ? "" : ", ") + std::string(info(method).name);
   }
-  throw usage_error("unknown method '" + excerpt(name) + "'; expected one of " + known +
-                    did_you_mean(name, names));
+  throw usage_error(
+      message("unknown method '{}'; expected one of {}{}", excerpt(name), known, did_you_mean(name, names)));
 }
 
 const MethodInfo& info(const Method& method) {
@@ -127,16 +127,15 @@ std::vector<double> predict(const Identification& fit, const Dataset& inputs) {
   for (const Method& method : methods()) {
     if (info(method).name == fit.method && info(method).predicts_by_network) {
       throw Error(ErrorKind::bad_data,
-                  "the result of " + fit.method + " comes without its network, which alone predicts");
+                  message("the result of {} comes without its network, which alone predicts", fit.method));
     }
   }
   const StaticModel model = fit.static_model();
   for (const Term term : model.terms) {
     for (const Axis axis : kAxes) {
       if (info(term).uses(axis) && !inputs.has(axis)) {
-        throw bad_data(
-            {.file = inputs.source, .column = std::string(axis_name(axis))}, "",
-            "a column with the specific force that the term " + std::string(name(term)) + " needs");
+        throw bad_data({.file = inputs.source, .column = std::string(axis_name(axis))}, "",
+                       message("a column with the specific force that the term {} needs", name(term)));
       }
     }
   }

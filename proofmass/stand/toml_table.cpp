@@ -43,7 +43,7 @@ struct TomlTable::State {
     std::string path = prefix + std::string(key);
     if (key.empty() && !path.empty()) path.pop_back();
     const toml::node& nearest = node != nullptr ? *node : *here;
-    return {.file = file, .row = nearest.source().begin.line, .column = std::move(path), .what = "key"};
+    return {.file = file, .row = nearest.source().begin.line, .column = std::move(path), .is_key = true};
   }
   [[nodiscard]] TomlTable child(const toml::table& table, const std::string& key) const {
     return TomlTable(std::make_shared<State>(
@@ -65,7 +65,7 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& file) {
         State{.root = std::move(root), .here = here, .file = file, .prefix = {}, .asked = {}}));
   } catch (const toml::parse_error& failure) {
     throw bad_data({.file = file, .row = failure.source().begin.line, .column = {}}, {},
-                   "TOML: " + std::string(failure.description()));
+                   message("TOML: {}", failure.description()));
   }
 }
 
@@ -140,7 +140,7 @@ std::vector<std::string> TomlTable::keys() const {
   return list;
 }
 
-Error TomlTable::error(std::string_view key, std::string_view expected) const {
+Error TomlTable::error(std::string_view key, const Message& expected) const {
   const toml::node* const node = key.empty() ? nullptr : state_->here->get(key);
   return bad_data(state_->place(node, key), node != nullptr ? as_text(*node) : std::string(), expected);
 }
@@ -150,7 +150,7 @@ void TomlTable::finish() const {
     if (state_->asked.contains(key.str())) continue;
     std::string known;
     for (const auto& name : state_->asked) known += (known.empty() ? "" : ", ") + name;
-    throw bad_data(state_->place(&node, key.str()), key.str(), "one of the keys " + known);
+    throw bad_data(state_->place(&node, key.str()), key.str(), message("one of the keys {}", known));
   }
 }
 

@@ -35,7 +35,7 @@ class TomlTable {
   [[nodiscard]] std::vector<std::string> keys() const;  // in alphabetical order
 
   // An Error about the value of a key, about its absence or, with an empty key, about the table itself.
-  [[nodiscard]] Error error(std::string_view key, std::string_view expected) const;
+  [[nodiscard]] Error error(std::string_view key, const Message& expected) const;
 
   // Throws when the table has a key that no getter was called for.
   void finish() const;

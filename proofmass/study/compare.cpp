@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/study/compare.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -50,8 +48,9 @@ Comparison compare(const Dataset& record, std::span<const Entry> entries, std::s
       comparison.contestants.push_back(contest(record, comparison.findings, entry, repeats, progress));
     } catch (const Error& error) {
       const std::string_view what = error.what();
-      const std::string named =
-          what.starts_with(entry.name + " ") ? std::string(what) : entry.name + ": " + error.what();
+      const Message named = what.starts_with(entry.name + " ")
+                                ? error.message()
+                                : message("{}: {}", entry.name, error.message());
       throw Error(error.kind(), named, error.remedies(), error.findings());
     }
   }

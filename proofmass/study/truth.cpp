@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/study/truth.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -73,8 +71,8 @@ std::vector<std::vector<double>> bounds_of(const Contestant& contestant, const D
 
 void require_same_output(const SimulationPlan& plan, const Dataset& record) {
   if (record.output_unit.canonical_symbol() == plan.output_unit.canonical_symbol()) return;
-  throw usage_error(fmt::format("the truth's output is in {}, the record's in {}: they must agree",
-                                plan.output_unit.canonical_symbol(), record.output_unit.canonical_symbol()));
+  throw usage_error(message("the truth's output is in {}, the record's in {}: they must agree",
+                            plan.output_unit.canonical_symbol(), record.output_unit.canonical_symbol()));
 }
 
 std::vector<double> output_variances(const SimulationPlan& plan, const Dataset& record) {

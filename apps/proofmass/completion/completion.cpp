@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "completion/completion.hpp"
 
-#include <fmt/format.h>
-
 #include "proofmass/core/error.hpp"
 
 namespace proofmass::cli {
@@ -11,7 +9,7 @@ std::string completion_script(const CLI::App& app, std::string_view shell) {
   if (shell == "bash") return bash_completion(app);
   if (shell == "zsh") return zsh_completion(app);
   if (shell == "fish") return fish_completion(app);
-  throw usage_error(fmt::format("completion: found '{}', expected bash, zsh or fish", excerpt(shell)));
+  throw usage_error(message("completion: found '{}', expected bash, zsh or fish", excerpt(shell)));
 }
 
 }  // namespace proofmass::cli

@@ -58,7 +58,7 @@ std::vector<Entry> entries_of(const CompareFlags& flags) {
     if (name.empty())
       throw usage_error("--methods: found an empty name, expected a method before and after every comma");
     if (std::count(names.begin(), names.end(), name) > 1)
-      throw usage_error("--methods: '" + name + "' is listed twice");
+      throw usage_error(message("--methods: '{}' is listed twice", name));
   }
   const IdentifyOptions options = flags.identify.options();
   std::vector<Entry> entries;

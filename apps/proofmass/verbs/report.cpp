@@ -69,34 +69,35 @@ std::string hash_of(const fs::path& path) {
 
 // The record given must be the one that the result was made from.
 fs::path given_record(const ReportFlags& flags, const Run& run) {
-  if (!is_file(flags.record)) throw usage_error(fmt::format("cannot open '{}': no such file", flags.record));
+  if (!is_file(flags.record)) throw usage_error(message("cannot open '{}': no such file", flags.record));
   const std::string hash = hash_of(flags.record);
   if (hash != run.provenance.input_sha256) {
     throw Error(
         ErrorKind::bad_data,
-        fmt::format("{} is not the record that {} was made from: its SHA-256 is {}, that of the result's "
-                    "record {}; give that record, or leave the option out for a report without figures of "
-                    "rows",
-                    flags.record, flags.result, hash, run.provenance.input_sha256));
+        message("{} is not the record that {} was made from: its SHA-256 is {}, that of the result's "
+                "record {}; give that record, or leave the option out for a report without figures of "
+                "rows",
+                flags.record, flags.result, hash, run.provenance.input_sha256));
   }
   return flags.record;
 }
 
 // What is not at hand is said on standard error too: the page alone may not be looked at.
-Found without_record(Text why) {
-  std::fputs(fmt::format("proofmass: {}\n", why.en).c_str(), stderr);
+Found without_record(Text why, Language language) {
+  std::fputs(fmt::format("proofmass: {}\n", why.in(language)).c_str(), stderr);
   return {.place = {}, .why = std::move(why)};
 }
 
 Found find_record(const ReportFlags& flags, const Run& run) {
   if (!flags.record.empty()) return {.place = given_record(flags, run), .why = {}};
   const std::string& input = run.provenance.input;
+  const Language language = flags.common.language;
   if (run.provenance.input_sha256.empty() || input == kStandardInput)
-    return without_record(text_of(Label::absent_unnamed));
+    return without_record(text_of(Label::absent_unnamed), language);
   const fs::path place = place_of(input, flags.result);
-  if (place.empty()) return without_record(text_of(Label::absent_not_found, {{"file", input}}));
+  if (place.empty()) return without_record(text_of(Label::absent_not_found, {{"file", input}}), language);
   if (hash_of(place) != run.provenance.input_sha256)
-    return without_record(text_of(Label::absent_changed, {{"file", place.string()}}));
+    return without_record(text_of(Label::absent_changed, {{"file", place.string()}}), language);
   return {.place = place, .why = {}};
 }
 

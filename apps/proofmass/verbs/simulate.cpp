@@ -58,6 +58,7 @@ Action add_simulate(CLI::App& verb) {
   add_real(verb, "--sigma-ug", {.low = 0.0, .high = kMostSigmaUg},
            "Standard deviation of the white output noise in µg, in place of the plan's",
            [flags](double sigma) { flags->sigma_ug = sigma; });
+  add_language(verb, flags->common);
   add_common(verb, flags->common);
   verb.footer(
       "Examples:\n"

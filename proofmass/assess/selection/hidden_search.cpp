@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/assess/selection/hidden_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -82,11 +80,11 @@ std::vector<HiddenTrial> try_hidden_sizes(const Dataset& rows, const Method& met
                                           const IdentifyOptions& options, std::span<const Split> splits,
                                           Progress& progress) {
   if (network_options(method) == nullptr) {
-    throw usage_error(fmt::format("{} has no network of a size to choose", info(method).name));
+    throw usage_error(message("{} has no network of a size to choose", info(method).name));
   }
   const std::size_t repeats = splits.size();
   if (repeats < 2)
-    throw usage_error(fmt::format("a search needs at least 2 repeats of each size, got {}", repeats));
+    throw usage_error(message("a search needs at least 2 repeats of each size, got {}", repeats));
   std::vector<Parts> parts;
   for (const Split& split : splits)
     parts.push_back({rows.select(split.training), rows.select(split.validation)});

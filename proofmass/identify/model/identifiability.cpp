@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/input_errors.hpp"
 #include "proofmass/numeric/linear/rank_analysis.hpp"
 
@@ -120,18 +119,20 @@ Finding unidentified(std::size_t c, const RankAnalysis& analysis, const std::vec
 Error not_identifiable(const Dataset& data, const TermList& terms, Identifiability found) {
   TermList names;
   for (const Finding& finding : found.unidentified) names.push_back(finding.terms.front());
-  return refusal(fmt::format("{}: the inputs cannot identify {} of the {} asked for: {}. Fit without "
-                             "them, ask for fewer terms, or test in more mounts",
-                             data.source, names.size(), amount_text(terms.size(), "term"), join_names(names)),
-                 terms_remedies(found.identified), std::move(found.unidentified));
+  return refusal(
+      message("{}: the inputs cannot identify {} of the {} asked for: {}. Fit without "
+              "them, ask for fewer terms, or test in more mounts",
+              data.source, names.size(), amount_of(terms.size(), "term", "terms"), join_names(names)),
+      terms_remedies(found.identified), std::move(found.unidentified));
 }
 
 void require_rows(const Dataset& data, const TermList& terms) {
   const std::size_t needed = terms.size() + 1;
   if (data.rows() >= needed) return;
-  throw bad_data({.file = data.source, .row = 0, .column = {}}, amount_text(data.rows(), "row") + " to fit",
-                 fmt::format("at least {}, one more than the {} asked for ({})", needed,
-                             amount_text(terms.size(), "term"), join_names(terms)),
+  throw bad_data({.file = data.source, .row = 0, .column = {}},
+                 message("{} to fit", amount_of(data.rows(), "row", "rows")),
+                 message("at least {}, one more than the {} asked for ({})", needed,
+                         amount_of(terms.size(), "term", "terms"), join_names(terms)),
                  {{"terms", ""}});
 }
 
@@ -144,22 +145,22 @@ void require_rows_up_to(double limit, const Dataset& record, const std::vector<d
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (std::abs(values[row]) <= limit) continue;
     throw bad_data({.file = record.source, .row = record.line_of(row), .column = std::string(column)},
-                   fmt::format("{}", values[row]), fmt::format("a value of at most {:.0g} in size", limit));
+                   fmt::format("{}", values[row]), message("a value of at most {:.0g} in size", limit));
   }
 }
 
 void require_size(double largest, double limit, const Dataset& data, std::string_view column) {
   if (largest == 0.0 || (largest <= limit && largest >= 1.0 / limit)) return;
   throw bad_data({.file = data.source, .row = 0, .column = std::string(column)},
-                 fmt::format("values up to {:.3g}", largest),
-                 fmt::format("values whose largest is between {:.0g} and {:.0g}", 1.0 / limit, limit));
+                 message("values up to {:.3g}", largest),
+                 message("values whose largest is between {:.0g} and {:.0g}", 1.0 / limit, limit));
 }
 
 void require_varying_output(const TermSums& sums) {
   const std::size_t output = sums.terms().size();
   const double least = sums.gram().least(output);
   if (least < sums.gram().greatest(output)) return;
-  throw bad_data({.file = sums.data().source, .row = 0, .column = "E"}, fmt::format("{} in every row", least),
+  throw bad_data({.file = sums.data().source, .row = 0, .column = "E"}, message("{} in every row", least),
                  "an output that varies with the input");
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/network/pso_bp.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -33,13 +31,12 @@ std::vector<std::vector<double>> initial_swarm(const NetworkTask& task, const Ps
   std::vector<std::vector<double>> positions = method.initial;
   for (const auto& position : positions) {
     if (position.size() != length) {
-      throw usage_error(
-          fmt::format("an initial particle has {} weights, expected {}", position.size(), length));
+      throw usage_error(message("an initial particle has {} weights, expected {}", position.size(), length));
     }
   }
   if (positions.size() > method.particles) {
     throw usage_error(
-        fmt::format("{} initial positions for a swarm of {} particles", positions.size(), method.particles));
+        message("{} initial positions for a swarm of {} particles", positions.size(), method.particles));
   }
   positions.resize(method.particles);
   for (std::size_t i = method.initial.size(); i < positions.size(); ++i) {

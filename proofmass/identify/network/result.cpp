@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/network/result.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -10,7 +8,6 @@
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/ending_of.hpp"
 #include "proofmass/identify/model/static_fit.hpp"
 #include "proofmass/identify/model/term_sums.hpp"
@@ -118,7 +115,7 @@ Ending ending_of_training(const TrainingState& best, std::size_t candidates) {
 // Refuses what is no fit: errors beyond all measure, or a network as it started that explains nothing.
 void require_fit(std::string_view method, const NetworkTask& task, const TrainingState& best) {
   if (!std::isfinite(best.training_rmse)) {
-    throw refusal(fmt::format("{} found no network with a finite error", method))
+    throw refusal(message("{} found no network with a finite error", method))
         .with_ending(ending_parts(best.termination));
   }
   const std::vector<double>& output = task.training.output;
@@ -129,9 +126,9 @@ void require_fit(std::string_view method, const NetworkTask& task, const Trainin
   const double rmse = best.training_rmse * output_half_range(task.network);
   const double r2 = 1.0 - rmse * rmse / variance;
   if (best.epochs > 0 || r2 > 0.0) return;
-  throw refusal(fmt::format("{} could not be trained: training ended in the first epoch, and the network "
-                            "as it started explains nothing of the output (R² {:.3g} on the training rows)",
-                            method, r2))
+  throw refusal(message("{} could not be trained: training ended in the first epoch, and the network "
+                        "as it started explains nothing of the output (R² {:.3g} on the training rows)",
+                        method, r2))
       .with_ending(ending_parts(best.termination));
 }
 
@@ -164,9 +161,9 @@ NetworkTask prepare_network(const NetworkOptions& asked, const Dataset& training
   const PerceptronShape shape{network.inputs.size(), network.hidden};
   if (ordered.rows() <= shape.parameters()) {
     throw bad_data({.file = training.source, .row = 0, .column = ""},
-                   amount_text(ordered.rows(), "training row"),
-                   fmt::format("at least {}: a {}-{}-1 network has {}", shape.parameters() + 1, shape.inputs,
-                               shape.hidden, amount_text(shape.parameters(), "weight")),
+                   amount_of(ordered.rows(), "training row", "training rows"),
+                   message("at least {}: a {}-{}-1 network has {}", shape.parameters() + 1, shape.inputs,
+                           shape.hidden, amount_of(shape.parameters(), "weight", "weights")),
                    {{"hidden", ""}});
   }
   Samples samples = scale_rows(network, ordered);

@@ -19,13 +19,13 @@ bool parse(std::string_view text, Number& number) {
 }
 
 template <typename Number>
-std::string described(const Range<Number>& range) {
+Message described(const Range<Number>& range) {
   const bool bounded = std::is_integral_v<Number> || range.high < std::numeric_limits<Number>::max();
-  std::string low = fmt::format("{} {}", range.above_low ? "more than" : "at least", range.low);
+  Message low = range.above_low ? message("more than {}", range.low) : message("at least {}", range.low);
   if (!bounded) return low;
-  if (range.below_high) return fmt::format("{} and less than {}", low, range.high);
-  if (range.above_low) return fmt::format("{} and at most {}", low, range.high);
-  return fmt::format("from {} to {}", range.low, range.high);
+  if (range.below_high) return message("{} and less than {}", low, range.high);
+  if (range.above_low) return message("{} and at most {}", low, range.high);
+  return message("from {} to {}", range.low, range.high);
 }
 
 template <typename Number>
@@ -37,12 +37,25 @@ Number read(std::string_view name, std::string_view text, const Range<Number>& r
 }
 
 template <typename Number>
-Error outside(std::string_view name, std::string_view text, const Range<Number>& range, const char* kind,
+Message number_in(const Range<Number>& range) {
+  const Message description = described(range);
+  const bool of = description.words().starts_with("at least");
+  if constexpr (std::is_integral_v<Number>) {
+    return of ? message("a whole number of {}", description) : message("a whole number {}", description);
+  } else {
+    return of ? message("a number of {}", description) : message("a number {}", description);
+  }
+}
+
+Error misplaced(std::string_view name, std::string_view text, const Message& expected) {
+  return usage_error(message("{}: {}", name, message("found '{}', expected {}", excerpt(text), expected)));
+}
+
+template <typename Number>
+Error outside(std::string_view name, std::string_view text, const Range<Number>& range,
               std::string_view or_word) {
-  const std::string description = described(range);
-  return usage_error(fmt::format("{}: found '{}', expected {}{} {}{}{}", name, excerpt(text), kind,
-                                 description.starts_with("at least") ? " of" : "", description,
-                                 or_word.empty() ? "" : ", or ", or_word));
+  const Message number = number_in(range);
+  return misplaced(name, text, or_word.empty() ? number : message("{}, or {}", number, or_word));
 }
 
 }  // namespace
@@ -86,15 +99,19 @@ std::size_t read_number(std::string_view name, std::string_view text, const Rang
 
 Error outside_range(std::string_view name, std::string_view text, const Range<double>& range,
                     std::string_view or_word) {
-  return outside(name, text, range, "a number", or_word);
+  return outside(name, text, range, or_word);
 }
 
 Error outside_range(std::string_view name, std::string_view text, const Range<std::size_t>& range,
                     std::string_view or_word) {
-  return outside(name, text, range, "a whole number", or_word);
+  return outside(name, text, range, or_word);
 }
 
-std::string range_text(const Range<double>& range) { return described(range); }
-std::string range_text(const Range<std::size_t>& range) { return described(range); }
+Error not_one_of(std::string_view name, std::string_view text, std::string_view words) {
+  return misplaced(name, text, message("one of {}", words));
+}
+
+std::string range_text(const Range<double>& range) { return described(range).english(); }
+std::string range_text(const Range<std::size_t>& range) { return described(range).english(); }
 
 }  // namespace proofmass

@@ -29,6 +29,9 @@ namespace proofmass {
 [[nodiscard]] Error outside_range(std::string_view name, std::string_view text,
                                   const Range<std::size_t>& range, std::string_view or_word = {});
 
+// "NAME: found 'TEXT', expected one of WORDS".
+[[nodiscard]] Error not_one_of(std::string_view name, std::string_view text, std::string_view words);
+
 // "from 0 to 1", "more than 0", "at least 1".
 [[nodiscard]] std::string range_text(const Range<double>& range);
 [[nodiscard]] std::string range_text(const Range<std::size_t>& range);
@@ -95,8 +98,7 @@ void read_value(const Field<Owner, Value, Domain>& field, Value& value, std::str
         return;
       }
     }
-    throw usage_error(std::string(field.name) + ": found '" + excerpt(text) + "', expected one of " +
-                      list_of(field.domain));
+    throw not_one_of(field.name, text, list_of(field.domain));
   }
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/regression/robust.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -40,9 +38,9 @@ RobustFit fit_identifiable(const Robust& method, const Dataset& training, const 
     if (found.identified.size() < before) continue;
     if (fit.rank_deficient) {
       throw refusal(
-          fmt::format("{}: so many rows lost their weight that the rest hardly determine the terms; a loss "
-                      "that keeps weight, or fewer terms, may do",
-                      training.source),
+          message("{}: so many rows lost their weight that the rest hardly determine the terms; a loss "
+                  "that keeps weight, or fewer terms, may do",
+                  training.source),
           {{"loss", "huber"}, {"terms", ""}});
     }
     return fit;
@@ -52,9 +50,9 @@ RobustFit fit_identifiable(const Robust& method, const Dataset& training, const 
 void require_curvature(const Dataset& training, const RobustFit& fit) {
   if (fit.psi_slope > kLeastSlope) return;
   throw refusal(
-      fmt::format("{}: too many rows lie where the loss is flat (mean slope of psi {:.2g}) for a usable "
-                  "fit; a larger constant of the loss, or Huber's loss, may do",
-                  training.source, fit.psi_slope),
+      message("{}: too many rows lie where the loss is flat (mean slope of psi {:.2g}) for a usable "
+              "fit; a larger constant of the loss, or Huber's loss, may do",
+              training.source, fit.psi_slope),
       {{"tuning", ""}, {"loss", "huber"}});
 }
 

@@ -43,7 +43,7 @@ double sensitivity(std::string_view method, const Dataset& data, const TermList&
   const auto ki = std::find(terms.begin(), terms.end(), Term::Ki);
   if (ki != terms.end()) return std::abs(least_squares[static_cast<std::size_t>(ki - terms.begin())]);
   if (data.output_unit.is_acceleration()) return 1.0;
-  throw refusal(fmt::format(
+  throw refusal(message(
       "{} cannot convert the uncertainty of the output, which is referred to the input, to {} without "
       "the term Ki: give a column sigma_E",
       method, data.output_unit.canonical_symbol()));
@@ -54,10 +54,10 @@ constexpr double kMostSigma = 1e30;
 
 bool in_range(double sigma) { return sigma >= kLeastSigma && sigma <= kMostSigma; }
 
-void require_usable_constant(std::string_view what, double sigma) {
+void require_usable_constant(const Message& what, double sigma) {
   if (in_range(sigma)) return;
   throw usage_error(
-      fmt::format("{} is {:.3g} g, expected {:.0g} to {:.0g} g", what, sigma, kLeastSigma, kMostSigma));
+      message("{} is {:.3g} g, expected {:.0g} to {:.0g} g", what, sigma, kLeastSigma, kMostSigma));
 }
 
 void require_usable_column(const Dataset& record, const std::vector<double>& sigma, const std::string& column,
@@ -66,28 +66,32 @@ void require_usable_column(const Dataset& record, const std::vector<double>& sig
     if (in_range(sigma[row]) || (zero_is_exact && sigma[row] == 0.0)) continue;
     throw bad_data({.file = record.source, .row = record.line_of(row), .column = column},
                    fmt::format("{}", sigma[row]),
-                   zero_is_exact ? "a standard uncertainty of 1e-30 to 1e30, or zero"
-                                 : "a standard uncertainty above zero, of 1e-30 to 1e30",
+                   zero_is_exact ? Message("a standard uncertainty of 1e-30 to 1e30, or zero")
+                                 : Message("a standard uncertainty above zero, of 1e-30 to 1e30"),
                    {remedy});
   }
 }
 
 Error missing_uncertainties(std::string_view method, bool output, bool inputs) {
-  std::string text = fmt::format("{} needs ", method);
+  Message of_output;
+  Message of_inputs;
   std::vector<Remedy> remedies;
   if (output) {
-    text +=
-        "the uncertainty of the output: a column sigma_E in the record, or a constant referred to the input";
+    of_output = message(
+        "the uncertainty of the output: a column sigma_E in the record, or a constant referred to the "
+        "input");
     remedies.push_back({"sigma-output-ug", ""});
   }
-  if (output && inputs) text += "; and ";
   if (inputs) {
-    text +=
+    of_inputs = message(
         "the uncertainty of at least one input that the model uses, above zero: columns sigma_Ai, sigma_Ao, "
-        "sigma_Ap in the record, or a constant for all axes; where inputs are exact, use ols";
+        "sigma_Ap in the record, or a constant for all axes; where inputs are exact, use ols");
     remedies.push_back({.option = "sigma-input-ug", .value = "", .with_previous = output});
   }
-  return refusal(text, std::move(remedies));
+  const Message needed = output && inputs ? message("{}; and {}", of_output, of_inputs)
+                         : output         ? of_output
+                                          : of_inputs;
+  return refusal(message("{} needs {}", method, needed), std::move(remedies));
 }
 
 }  // namespace
@@ -124,9 +128,9 @@ Uncertainties find_uncertainties(std::string_view method, const Dataset& data, c
     require_usable_constant("the uncertainty of the output", *options.output);
     if (!(sigma > 0.0)) {
       throw refusal(
-          std::string(method) +
-          " takes the uncertainty of the output in g, and the output does not change with the input: "
-          "its scale factor is zero");
+          message("{} takes the uncertainty of the output in g, and the output does not change with the "
+                  "input: its scale factor is zero",
+                  method));
     }
     found.output.assign(data.rows(), sigma);
     if (!data.output_sigma.empty()) {

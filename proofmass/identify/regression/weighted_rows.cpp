@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/regression/weighted_rows.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 
 namespace proofmass {
 namespace {
@@ -31,10 +28,9 @@ Error weighted_refusal(const Dataset& data, Identifiability left, std::size_t ro
   TermList names;
   for (const Finding& finding : left.unidentified) names.push_back(finding.terms.front());
   return refusal(
-      fmt::format(
-          "{}: the {} of {} rows that have weight cannot identify {}. Fit without them, ask for fewer "
-          "terms, or look at the rows that have no weight",
-          data.source, rows, data.rows(), join_names(names)),
+      message("{}: the {} of {} rows that have weight cannot identify {}. Fit without them, ask for fewer "
+              "terms, or look at the rows that have no weight",
+              data.source, rows, data.rows(), join_names(names)),
       terms_remedies(left.identified), std::move(left.unidentified));
 }
 
@@ -42,11 +38,11 @@ Error weighted_refusal(const Dataset& data, Identifiability left, std::size_t ro
 void require_spare_row(const Dataset& data, const Identifiability& left, std::size_t rows) {
   if (rows > left.identified.size()) return;
   throw refusal(
-      fmt::format("{}: {} of {} rows {} weight beside the others, too few for {}; at least one "
-                  "more than the terms is needed: ask for fewer terms, or look at the rows that have no "
-                  "weight",
-                  data.source, rows, data.rows(), rows == 1 ? "has" : "have",
-                  amount_text(left.identified.size(), "term")),
+      message("{}: {} of {} rows {} weight beside the others, too few for {}; at least one "
+              "more than the terms is needed: ask for fewer terms, or look at the rows that have no "
+              "weight",
+              data.source, rows, data.rows(), rows == 1 ? Message("has") : Message("have"),
+              amount_of(left.identified.size(), "term", "terms")),
       {{"terms", ""}});
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -57,10 +55,10 @@ void require_judgeable(const SubsetCriterion& criterion, const Dataset& training
   const auto all = static_cast<Subset>((std::uint64_t{1} << criterion.columns()) - 1);
   if (std::isfinite(criterion.value(all))) return;
   throw refusal(
-      fmt::format("{}: leaving one row out cannot judge terms that one row alone identifies (its leverage is "
-                  "1); measure "
-                  "such positions again, ask for fewer terms, or use ols, which does not choose terms",
-                  training.source),
+      message("{}: leaving one row out cannot judge terms that one row alone identifies (its leverage is "
+              "1); measure "
+              "such positions again, ask for fewer terms, or use ols, which does not choose terms",
+              training.source),
       {{"terms", ""}});
 }
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/search/gmdh_criterion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/options/field_text.hpp"
 #include "proofmass/numeric/random.hpp"
@@ -30,22 +27,22 @@ Part select(const Matrix& design, std::span<const double> y, std::span<const std
   return part;
 }
 
-constexpr const char* kAdvice = "; criterion press needs no such division";
+Message advice() { return message("; criterion press needs no such division"); }
 
 std::vector<Remedy> press() { return {{"gmdh-criterion", "press"}}; }
 
 void require_usable(const Dataset& training, const TermList& terms, std::span<const std::size_t> rows) {
   if (rows.size() <= terms.size()) {
-    throw bad_data({.file = training.source, .row = 0, .column = ""}, amount_text(rows.size(), "row"),
-                   fmt::format("at least {} in each part that the criterion divides the training rows into{}",
-                               terms.size() + 1, kAdvice),
+    throw bad_data({.file = training.source, .row = 0, .column = ""}, amount_of(rows.size(), "row", "rows"),
+                   message("at least {} in each part that the criterion divides the training rows into{}",
+                           terms.size() + 1, advice()),
                    press());
   }
   const Identifiability part = analyse_identifiability(training.select(rows), terms);
   if (part.unidentified.empty()) return;
   throw refusal(
-      fmt::format("a part of {}, which the criterion sets apart, cannot identify {}{}",
-                  amount_text(rows.size(), "row"), name(part.unidentified.front().terms.front()), kAdvice),
+      message("a part of {}, which the criterion sets apart, cannot identify {}{}",
+              amount_of(rows.size(), "row", "rows"), name(part.unidentified.front().terms.front()), advice()),
       press(), part.unidentified);
 }
 

@@ -172,8 +172,8 @@ std::optional<Encoding> asked_encoding(const ReadOptions& options) {
   if (options.encoding.empty()) return std::nullopt;
   const auto encoding = find_encoding(options.encoding);
   if (!encoding) {
-    throw usage_error("encoding: found '" + excerpt(options.encoding) + "', expected one of " +
-                      known_encodings());
+    throw usage_error(message("encoding: {}", message("found '{}', expected {}", excerpt(options.encoding),
+                                                      message("one of {}", known_encodings()))));
   }
   return encoding;
 }
@@ -198,7 +198,7 @@ Dataset read_record(const std::filesystem::path& path, const ReadOptions& option
   ChunkReader chunks(path, asked_encoding(options), progress);
   const auto first = chunks.next();
   if (!first) {
-    throw bad_data({.file = chunks.name()}, "an empty file", kExpectedHeader);
+    throw bad_data({.file = chunks.name()}, "an empty file", expected_header());
   }
   Preamble preamble = read_preamble(chunks.name(), *first, options);
   take_cell_units(*first, preamble, place_columns(preamble.header, options));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/record/csv/header.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "proofmass/core/error.hpp"
@@ -89,8 +87,7 @@ Header parse_header(const std::string& file, std::string_view line, std::size_t 
   auto fields = split_fields(marked, header.separation.mark);
   while (fields.size() > 1 && fields.back().empty()) fields.pop_back();
   if (fields.size() > kMostColumns) {
-    throw bad_data(place, fmt::format("{} columns", fields.size()),
-                   fmt::format("at most {} columns", kMostColumns));
+    throw bad_data(place, message("{} columns", fields.size()), message("at most {} columns", kMostColumns));
   }
   for (const std::string_view field : fields) {
     const auto text = unquoted(field);

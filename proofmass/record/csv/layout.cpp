@@ -121,18 +121,18 @@ std::vector<Remedy> renamings(const Header& header, Column column, const std::st
 
 Error missing(const Header& header, Column column, const std::string& wanted, const ReadOptions& options) {
   const bool own = wanted == column_name(column);
-  const std::string renamed = own ? "" : fmt::format(" (it was to be read as {})", column_name(column));
+  const Message renamed = own ? Message() : message(" (it was to be read as {})", column_name(column));
   const HeaderCell* const angle = measured_by(column) || column == Column::E ? nullptr : angle_of(header);
-  const std::string advice =
-      angle == nullptr ? ""
-                       : fmt::format(
+  const Message advice =
+      angle == nullptr ? Message()
+                       : message(
                              "; '{}' is an angle: with the input axis at that angle from the vertical, Ai = "
                              "cos(angle) and the cross axis sin(angle), in g. Add such columns",
                              excerpt(angle->text));
   return bad_data(
       {.file = header.file, .row = header.row, .column = wanted}, names_of(header),
-      fmt::format("a column named {}{}; columns are separated by comma, semicolon, tab, | or blanks{}",
-                  wanted, renamed, advice),
+      message("a column named {}{}; columns are separated by comma, semicolon, tab, | or blanks{}", wanted,
+              renamed, advice),
       angle == nullptr ? renamings(header, column, wanted, options) : std::vector<Remedy>{});
 }
 
@@ -144,7 +144,7 @@ std::optional<std::size_t> only(const Header& header, const std::string& wanted,
     if (!matches(header.cells[k])) continue;
     if (found) {
       throw bad_data({.file = header.file, .row = header.row, .column = wanted}, header.cells[k].text,
-                     fmt::format("one column named {}, not a duplicate", wanted));
+                     message("one column named {}, not a duplicate", wanted));
     }
     found = k;
   }
@@ -165,7 +165,7 @@ std::optional<std::string> agreed_unit(const Header& header, std::size_t index,
   const auto other = find_unit(*said);
   if (known && other && known->symbol != other->symbol) {
     throw bad_data({.file = header.file, .row = header.row, .column = header.cells[index].text}, *said,
-                   fmt::format("the unit that the file states, {}", *own));
+                   message("the unit that the file states, {}", *own));
   }
   return said;
 }
@@ -209,14 +209,14 @@ std::vector<PlacedColumn> renamed_columns(const Header& header, const ReadOption
     const auto column = find_column(name);
     if (!column) {
       throw usage_error(
-          fmt::format("cannot rename to '{}'; the columns of a record are Ai, Ao, Ap, E, sigma_E, sigma_Ai, "
-                      "sigma_Ao, sigma_Ap, mount, T, t",
-                      name));
+          message("cannot rename to '{}'; the columns of a record are Ai, Ao, Ap, E, sigma_E, sigma_Ai, "
+                  "sigma_Ao, sigma_Ap, mount, T, t",
+                  name));
     }
     placed.push_back(renamed_column(header, *column, wanted, options));
     if (!taken.insert(placed.back().index).second) {
       throw usage_error(
-          fmt::format("column '{}' is renamed twice", excerpt(header.cells[placed.back().index].text)));
+          message("column '{}' is renamed twice", excerpt(header.cells[placed.back().index].text)));
     }
   }
   return placed;

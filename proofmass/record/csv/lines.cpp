@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/record/csv/lines.hpp"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ constexpr std::size_t kMegabyte = 1'000'000;
 constexpr char kEndMark = '\x1A';
 
 Error unreadable(const std::string& name, int os_error) {
-  return bad_data({.file = name, .row = 0, .column = {}}, std::generic_category().message(os_error),
+  return bad_data({.file = name, .row = 0, .column = {}}, system_reason(os_error),
                   "a readable record (a CSV file)");
 }
 
@@ -61,7 +60,7 @@ std::string_view around_control(std::string_view line) {
   return line.substr(first, 30);
 }
 
-std::string too_long() { return fmt::format("lines of at most {} bytes", ChunkReader::kLongestLine); }
+Message too_long() { return message("lines of at most {} bytes", ChunkReader::kLongestLine); }
 
 // Whether a CR stands in the text that no LF follows.
 bool has_lone_return(std::string_view text) noexcept {
@@ -121,7 +120,7 @@ void ChunkReader::take_bytes(std::string_view bytes) {
   if (wide_) {
     const auto text = wide_->decode(bytes);
     if (!text || (at_end_ && wide_->incomplete())) {
-      throw bad_data({.file = name_}, "", fmt::format("text in {}", to_string(*encoding_)));
+      throw bad_data({.file = name_}, "", message("text in {}", to_string(*encoding_)));
     }
     text_ += *text;
   } else {
@@ -182,7 +181,7 @@ void ChunkReader::decode(Chunk& chunk) {
     Decoder one(*encoding_);
     const auto text = one.decode(line);
     if (text && !one.incomplete()) return true;
-    throw bad_data({.file = name_, .row = number}, line, fmt::format("text in {}", to_string(*encoding_)),
+    throw bad_data({.file = name_, .row = number}, line, message("text in {}", to_string(*encoding_)),
                    {{"encoding", std::string(to_string(Encoding::windows1252))}});
   });
 }

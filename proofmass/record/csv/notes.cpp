@@ -71,7 +71,7 @@ void require_clear_thousands(const Dataset& record, const RowFormat& format, con
   });
   if (parted == values.end()) return;
   const double written = std::round(*parted / column.unit.to_canonical * 1000.0) / 1000.0;
-  const char* const mark = format.decimal_comma ? "comma" : "point";
+  const Message word = format.decimal_comma ? Message("comma") : Message("point");
   std::string found = fmt::format("{:.3f}", written);
   if (format.decimal_comma) std::replace(found.begin(), found.end(), '.', ',');
   throw bad_data(
@@ -79,10 +79,10 @@ void require_clear_thousands(const Dataset& record, const RowFormat& format, con
        .row = record.line[static_cast<std::size_t>(parted - values.begin())],
        .column = std::string(column_name(column.column))},
       found,
-      fmt::format("numbers whose {} is decimal for certain: here each has three digits after it or none at "
-                  "all, as thousands do. Take the {}s out if they part thousands",
-                  mark, mark),
-      {{"decimal", mark}});
+      message("numbers whose {} is decimal for certain: here each has three digits after it or none at "
+              "all, as thousands do. Take the {}s out if they part thousands",
+              word, word),
+      {{"decimal", word.english()}});
 }
 
 // Whether a number of the record shows that its comma is decimal.

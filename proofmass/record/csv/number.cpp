@@ -63,12 +63,12 @@ NumberFault number_fault(std::string_view field) noexcept {
   return number.end == last ? number.fault : NumberFault::not_a_number;
 }
 
-std::string expected_number(std::string_view field, NumberFault fault) {
-  if (field.empty()) return "a number, not an empty field";
-  if (fault == NumberFault::not_finite) return "a finite number";
-  if (fault == NumberFault::out_of_range) return "a number within the range of double precision";
-  if (looks_like_decimal_comma(field)) return "a number with a decimal point, not a decimal comma";
-  return "a number";
+Message expected_number(std::string_view field, NumberFault fault) {
+  if (field.empty()) return message("a number, not an empty field");
+  if (fault == NumberFault::not_finite) return message("a finite number");
+  if (fault == NumberFault::out_of_range) return message("a number within the range of double precision");
+  if (looks_like_decimal_comma(field)) return message("a number with a decimal point, not a decimal comma");
+  return message("a number");
 }
 
 }  // namespace proofmass

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "proofmass/core/message.hpp"
+
 namespace proofmass {
 
 enum class NumberFault { none, not_a_number, not_finite, out_of_range };
@@ -24,6 +26,6 @@ struct ScannedNumber {
 [[nodiscard]] NumberFault number_fault(std::string_view field) noexcept;
 
 // What was expected instead of a wrong field, for an error message.
-[[nodiscard]] std::string expected_number(std::string_view field, NumberFault fault);
+[[nodiscard]] Message expected_number(std::string_view field, NumberFault fault);
 
 }  // namespace proofmass

@@ -124,7 +124,7 @@ Found find_above_data(const std::string& file, const std::vector<Line>& lines, s
 
 Error header_below_data(const std::string& file, const Line& header, const Line& data) {
   return bad_data({.file = file, .row = header.number}, header.text,
-                  fmt::format("the header above all rows of numbers; line {} looks like one", data.number));
+                  message("the header above all rows of numbers; line {} looks like one", data.number));
 }
 
 // The line that names the columns.
@@ -159,7 +159,7 @@ Found find_header(const std::string& file, const std::vector<Line>& lines, std::
   const auto text = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end(),
                                  [](const Line& line) { return !line.comment; });
   if (text == lines.end())
-    throw bad_data({.file = file}, "nothing but blank lines and comments", kExpectedHeader);
+    throw bad_data({.file = file}, "nothing but blank lines and comments", expected_header());
   return {.index = static_cast<std::size_t>(text - lines.begin()), .certain = false, .absent = false};
 }
 
@@ -192,7 +192,7 @@ Error no_header(const std::string& file, const Line& line, std::size_t fields) {
                           : fields == 3 ? "Ai=#1[g],Ao=#2[g],E=#3[V]"
                                         : "Ai=#1[g],E=#2[V]";
   return bad_data({.file = file, .row = line.number}, line.text,
-                  fmt::format("{}; without one, say which column is which, and the units", kExpectedHeader),
+                  message("{}; without one, say which column is which, and the units", expected_header()),
                   {{"map", map}});
 }
 
@@ -216,13 +216,16 @@ void begin_data(Preamble& preamble, const Chunk& chunk, const Line& last) {
 
 }  // namespace
 
+Message expected_header() { return message("a header line that names the columns Ai Ao Ap E"); }
+
 Preamble read_preamble(const std::string& file, const Chunk& chunk, const ReadOptions& options) {
   const std::vector<Line> lines = lines_of(chunk);
-  if (lines.empty()) throw bad_data({.file = file}, "nothing but blank lines and comments", kExpectedHeader);
+  if (lines.empty())
+    throw bad_data({.file = file}, "nothing but blank lines and comments", expected_header());
   const std::optional<char> separator = stated_separator(lines.front().text);
   const std::size_t first = separator ? 1 : 0;
   if (first == lines.size())
-    throw bad_data({.file = file, .row = lines.front().number}, lines.front().text, kExpectedHeader);
+    throw bad_data({.file = file, .row = lines.front().number}, lines.front().text, expected_header());
   const std::vector<std::size_t> places = positions(options);
   const Found found = places.empty() ? find_header(file, lines, first, separator, options)
                                      : find_above_data(file, lines, first, separator, places);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "proofmass/core/message.hpp"
 #include "proofmass/record/csv/csv.hpp"
 #include "proofmass/record/csv/header.hpp"
 #include "proofmass/record/csv/lines.hpp"
@@ -15,7 +16,7 @@
 namespace proofmass {
 
 // What a file without a header lacks, for messages.
-inline constexpr std::string_view kExpectedHeader = "a header line that names the columns Ai Ao Ap E";
+[[nodiscard]] Message expected_header();
 
 struct Preamble {
   Header header;                         // with the units of the line of units, if there is one

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/record/csv/rows.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
 
-#include "proofmass/core/text.hpp"
 #include "proofmass/core/utf8.hpp"
 #include "proofmass/record/csv/fields.hpp"
 #include "proofmass/record/csv/lenient.hpp"
@@ -272,9 +269,9 @@ bool RowParser::is_repeated_header(std::string_view line, std::size_t line_numbe
   if (repeated) return true;
   throw bad_data(
       {.file = format_.header.file, .row = line_number}, line,
-      fmt::format("rows under the header of line {}; this looks like another header: put what follows into a "
-                  "file of its own",
-                  format_.header.row));
+      message("rows under the header of line {}; this looks like another header: put what follows into a "
+              "file of its own",
+              format_.header.row));
 }
 
 bool RowParser::has_overload(const std::vector<std::string_view>& fields) const {
@@ -301,8 +298,9 @@ void RowParser::require_fields(std::vector<std::string_view>& fields, std::strin
       std::none_of(slots_.begin() + static_cast<std::ptrdiff_t>(fields.size()), slots_.end(), needed);
   if (spare) fields.resize(slots_.size());
   if (fields.size() == slots_.size()) return;
-  throw bad_data({.file = format_.header.file, .row = line_number, .column = {}}, line,
-                 fmt::format("{} as in the header, not {}", amount_text(slots_.size(), "field"), written));
+  throw bad_data(
+      {.file = format_.header.file, .row = line_number, .column = {}}, line,
+      message("{} as in the header, not {}", amount_of(slots_.size(), "field", "fields"), written));
 }
 
 void RowParser::take_label(const Slot& slot, std::string_view field, const Place& place) const {
@@ -322,7 +320,7 @@ void RowParser::take_lenient(Slot& slot, std::string_view field, const Place& pl
     throw bad_data(place, field, "a standard uncertainty, which is not negative");
   if (!number.unit.empty()) {
     if (find_unit(number.unit)->symbol != slot.unit)
-      throw bad_data(place, field, fmt::format("a number, or one in the unit of the column, {}", slot.unit));
+      throw bad_data(place, field, message("a number, or one in the unit of the column, {}", slot.unit));
     block_.notes.cell_units.add(place.row);
   }
   if (number.converted) block_.notes.converted.add(place.row);

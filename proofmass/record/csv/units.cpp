@@ -34,12 +34,12 @@ std::span<const Quantity> quantities(Column column) {
   }
 }
 
-std::string units_allowed(Column column) {
-  if (column == Column::mount) return "no unit";
+Message units_allowed(Column column) {
+  if (column == Column::mount) return message("no unit");
   std::string list;
   for (const Quantity quantity : quantities(column))
     list += (list.empty() ? "" : ", ") + known_units(quantity);
-  return "a unit among " + list;
+  return message("a unit among {}", list);
 }
 
 Unit default_unit(Column column) {
@@ -62,7 +62,7 @@ PlacedColumn& placed_as(std::vector<PlacedColumn>& placed, Column column) {
 Error mixed(const Header& header, const PlacedColumn& odd, const PlacedColumn& other) {
   return bad_data(
       {.file = header.file, .row = header.row, .column = std::string(column_name(odd.column))}, odd.header,
-      fmt::format("the unit of {}, [{}], not mixed units", column_name(other.column), other.unit.symbol));
+      message("the unit of {}, [{}], not mixed units", column_name(other.column), other.unit.symbol));
 }
 
 // Only the sigmas of accelerations are converted; other quantities keep the unit written.

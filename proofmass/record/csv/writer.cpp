@@ -51,7 +51,7 @@ double in_unit(double canonical, double factor) {
 void require_one_line(const std::string& text) {
   const bool fits = std::none_of(text.begin(), text.end(),
                                  [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; });
-  if (!fits) throw usage_error("text of a record must fit on one line: '" + text + "'");
+  if (!fits) throw usage_error(message("text of a record must fit on one line: '{}'", text));
 }
 
 void append_label(std::string& text, const std::string& label) {

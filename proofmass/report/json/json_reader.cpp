@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "proofmass/core/error.hpp"
-#include "proofmass/core/text.hpp"
 #include "proofmass/files/text_file.hpp"
 #include "proofmass/report/json/endings_internal.hpp"
 #include "proofmass/report/json/findings_internal.hpp"
@@ -64,11 +63,11 @@ std::vector<Coefficient> coefficients_of(const JsonNode& node) {
 std::vector<double> covariance_of(const JsonNode& node, std::size_t size) {
   const std::vector<JsonNode> rows = node.items();
   if (rows.size() != size)
-    node.fail(fmt::format("{}, one an identified coefficient", amount_text(size, "row")));
+    node.fail(message("{}, one an identified coefficient", amount_of(size, "row", "rows")));
   std::vector<double> flat;
   for (const JsonNode& row : rows) {
     const std::vector<double> values = row.numbers();
-    if (values.size() != size) row.fail(fmt::format("{}", amount_text(size, "number")));
+    if (values.size() != size) row.fail(amount_of(size, "number", "numbers"));
     flat.insert(flat.end(), values.begin(), values.end());
   }
   return flat;
@@ -122,8 +121,22 @@ Provenance provenance_of(const JsonNode& node) {
   return provenance;
 }
 
-constexpr std::size_t kLongestComplaint = 160;             // characters of the parser's words
+constexpr std::size_t kLongestComplaint = 159;             // characters of the parser's words
 constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of a result
+
+// "[json.exception.…] parse error at line 1, column 2: …" with what was read last, however long.
+Message parser_complaint(std::string_view words) {
+  const std::size_t begin = words.find("] ");
+  const std::string said =
+      excerpt(begin == std::string_view::npos ? words : words.substr(begin + 2), kLongestComplaint);
+  constexpr std::string_view kLine = "parse error at line ";
+  constexpr std::string_view kColumn = ", column ";
+  const std::size_t column = said.find(kColumn);
+  const std::size_t end = said.find(": ", column);
+  if (!said.starts_with(kLine) || end == std::string::npos) return Message::verbatim(said);
+  return message("parse error at line {}, column {}: {}", said.substr(kLine.size(), column - kLine.size()),
+                 said.substr(column + kColumn.size(), end - column - kColumn.size()), said.substr(end + 2));
+}
 
 }  // namespace
 
@@ -132,14 +145,11 @@ Run parse_result(std::string_view text, const std::string& source) {
   try {
     json = JsonNode::Json::parse(text.begin(), text.end());
   } catch (const JsonNode::Json::exception& error) {
-    // "[json.exception.…] parse error at line 1, column 2: …" with what was read last, however long.
-    const std::string_view message = error.what();
-    throw Error(ErrorKind::bad_data,
-                fmt::format("{}: not JSON:{}", source,
-                            excerpt(message.substr(message.find(']') + 1), kLongestComplaint)));
+    throw Error(ErrorKind::bad_data, message("{}: not JSON: {}", source, parser_complaint(error.what())));
   }
   const JsonNode root(json, source);
-  if (root.at("schema").text() != kSchema) root.at("schema").fail(fmt::format("\"{}\"", kSchema));
+  if (root.at("schema").text() != kSchema)
+    root.at("schema").fail(Message::verbatim(fmt::format("\"{}\"", kSchema)));
   Identification result{.method = root.at("method").text(),
                         .model = root.at("model").text(),
                         .seed = root.at("seed").count(),

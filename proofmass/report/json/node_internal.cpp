@@ -14,12 +14,12 @@ constexpr std::size_t kLongestPath = 120;  // characters; members may have any n
 JsonNode::JsonNode(const Json& json, std::string source, std::string path)
     : json_(&json), source_(std::move(source)), path_(std::move(path)) {}
 
-void JsonNode::fail(std::string_view expected) const {
+void JsonNode::fail(const Message& expected) const {
   const std::string found = json_->dump(-1, ' ', true, Json::error_handler_t::replace);
-  throw Error(ErrorKind::bad_data,
-              fmt::format("{}: {}: found {}, expected {}", source_,
-                          path_.empty() ? "the document" : "key '" + excerpt(path_, kLongestPath) + "'",
-                          excerpt(found), expected));
+  throw Error(ErrorKind::bad_data, message("{}: {}: found {}, expected {}", source_,
+                                           path_.empty() ? Message("the document")
+                                                         : message("key '{}'", excerpt(path_, kLongestPath)),
+                                           excerpt(found), expected));
 }
 
 std::string JsonNode::path_of(const std::string& key) const {
@@ -37,7 +37,7 @@ JsonNode JsonNode::at(const std::string& key) const {
   auto found = find(key);
   if (!found) {
     throw Error(ErrorKind::bad_data,
-                fmt::format("{}: key '{}' is missing", source_, excerpt(path_of(key), kLongestPath)));
+                message("{}: key '{}' is missing", source_, excerpt(path_of(key), kLongestPath)));
   }
   return *std::move(found);
 }

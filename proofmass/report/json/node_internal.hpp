@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "proofmass/core/message.hpp"
+
 namespace proofmass {
 
 // One value of a JSON document with the path that leads to it, so that errors can name it. Every reader
@@ -19,7 +21,7 @@ class JsonNode {
   JsonNode(const Json& json, std::string source, std::string path = {});
 
   // "result.json: key 'coefficients[2].value': found \"x\", expected …"
-  [[noreturn]] void fail(std::string_view expected) const;
+  [[noreturn]] void fail(const Message& expected) const;
   [[nodiscard]] std::optional<JsonNode> find(const std::string& key) const;
   [[nodiscard]] JsonNode at(const std::string& key) const;
   [[nodiscard]] std::vector<JsonNode> items() const;

@@ -82,7 +82,7 @@ void require_finite(const Dataset& record, std::size_t row) {
   const Acceleration a = record.at(row);
   if (std::isfinite(record.output.back()) && std::isfinite(a.i + a.o + a.p)) return;
   throw bad_data({.file = record.source, .row = 0, .column = {}},
-                 "numbers beyond double precision in simulated row " + std::to_string(row + 1),
+                 message("numbers beyond double precision in simulated row {}", row + 1),
                  "coefficients, inputs and noise of plausible size");
 }
 

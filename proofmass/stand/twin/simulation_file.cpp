@@ -36,7 +36,7 @@ StaticModel read_model(const TomlTable& root) {
   }
   for (const auto& key : table->keys()) {
     if (!find_term(key)) {
-      throw table->error(key, "a coefficient's name among " + join_names(parse_terms("full")));
+      throw table->error(key, message("a coefficient's name among {}", join_names(parse_terms("full"))));
     }
   }
   if (model.terms.empty()) throw root.error("model", "at least one coefficient");
@@ -73,7 +73,7 @@ SphereInputs read_sphere(const TomlTable& input) {
 std::optional<std::array<double, 3>> read_direction(const TomlTable& mount, std::string_view key) {
   const auto values = mount.numbers(key);
   if (!values) return std::nullopt;
-  constexpr std::string_view expected = "three numbers, along IA, OA and PA, not all zero";
+  const Message expected = message("three numbers, along IA, OA and PA, not all zero");
   if (values->size() != 3) throw mount.error(key, expected);
   const auto& v = *values;
   const double length = std::hypot(v[0], v[1], v[2]);
@@ -174,7 +174,7 @@ void read_record_format(const TomlTable& root, SimulationPlan& plan) {
   plan.acceleration_unit = read_unit(*record, "acceleration_unit");
   if (!plan.acceleration_unit.is_acceleration()) {
     throw record->error("acceleration_unit",
-                        "a unit of acceleration: " + known_units(Quantity::acceleration));
+                        message("a unit of acceleration: {}", known_units(Quantity::acceleration)));
   }
   plan.output_unit = read_unit(*record, "output_unit");
   if (const auto kind = plan.output_unit.quantity; kind == Quantity::time || kind == Quantity::temperature) {
@@ -182,8 +182,9 @@ void read_record_format(const TomlTable& root, SimulationPlan& plan) {
   }
   const auto scale = record->number("output_per_g");
   if (plan.output_unit.is_acceleration() == scale.has_value()) {
-    throw record->error("output_per_g", scale ? "no scale factor with an output in units of acceleration"
-                                              : "the scale factor, output_unit per g");
+    throw record->error("output_per_g",
+                        scale ? Message("no scale factor with an output in units of acceleration")
+                              : Message("the scale factor, output_unit per g"));
   }
   plan.output_per_g = scale.value_or(1.0);
   if (!(plan.output_per_g > 0.0)) throw record->error("output_per_g", "a number above zero");
