@@ -18,6 +18,7 @@
 #include "proofmass/assess/metrics.hpp"
 #include "proofmass/assess/selection/hidden_search.hpp"
 #include "proofmass/assess/test_curve.hpp"
+#include "proofmass/assess/uncertainty/row_covariance.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/core/version.hpp"
 #include "proofmass/identify/method_options.hpp"
@@ -142,6 +143,7 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   const auto start = std::chrono::steady_clock::now();
   require_usable(record, asked);
   require_mounts(record, given);
+  require_covariance(record, asked, given.covariance);
   IdentifyOptions options = given;
   options.terms = in_canonical_order(std::move(options.terms));
   options.split = training_fraction(asked, given);
@@ -157,6 +159,7 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
 
   run.identification = fit(method, training, validation, options, progress);
   if (!trials.empty()) std::get<NetworkDetails>(run.identification.details).hidden_search = std::move(trials);
+  use_covariance(run.identification, training, options.covariance);
   add_intervals(run.identification);
   score_parts(run.identification, training, validation, test);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -174,15 +177,26 @@ Run identify(const Dataset& record, const Method& asked, const IdentifyOptions& 
   return run;
 }
 
+namespace {
+
+Error contradiction_of(const Dataset& record, const Message& what) {
+  return {ErrorKind::bad_data,
+          message("{}: {}, which contradicts the result; the result file was changed, or made by another "
+                  "version",
+                  record.source, what)};
+}
+
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+}  // namespace
+
 Split split_again(const Dataset& record, const Run& result) {
   const Identification& made = result.identification;
-  const auto contradiction = [&](const Message& what) {
-    return Error(
-        ErrorKind::bad_data,
-        message("{}: {}, which contradicts the result; the result file was changed, or made by another "
-                "version",
-                record.source, what));
-  };
+  const auto contradiction = [&](const Message& what) { return contradiction_of(record, what); };
   const auto option = [&](std::string_view name) -> std::string_view {
     for (const auto& [known, value] : result.provenance.options)
       if (known == name) return value;
@@ -215,6 +229,22 @@ Split split_again(const Dataset& record, const Run& result) {
                                 split.training.size(), split.validation.size(), split.test.size()));
   }
   return split;
+}
+
+void require_own_scores(const Dataset& record, const Split& split, const Run& result) {
+  // Results of other processors and versions differ in the last digits.
+  constexpr double kTolerance = 1e-6;
+  if (!result.identification.train || split.training.empty()) return;
+  const Dataset training = record.select(split.training);
+  const Metrics found = score(training.output, predict(result.identification, training),
+                              1.0 / training.output_unit.to_canonical);
+  const double said = result.identification.train->rmse;
+  // The rounding of the outputs themselves is no contradiction.
+  const double rounding = 1e-13 * largest_magnitude(training.output) / training.output_unit.to_canonical;
+  if (std::abs(found.rmse - said) <= kTolerance * said + rounding) return;
+  throw contradiction_of(
+      record,
+      message("its training error is {:.6g}, and that of its coefficients is {:.6g}", said, found.rmse));
 }
 
 Run identify(const Dataset& record, const Method& method, const IdentifyOptions& options) {

@@ -20,4 +20,8 @@ namespace proofmass {
 // file does not keep them. Throws bad data where the record and the options cannot have made the result.
 [[nodiscard]] Split split_again(const Dataset& record, const Run& result);
 
+// Throws bad data where the result does not have the training error that its coefficients or network have on
+// these rows of the record: one of them was changed.
+void require_own_scores(const Dataset& record, const Split& split, const Run& result);
+
 }  // namespace proofmass

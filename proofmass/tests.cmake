@@ -4,7 +4,7 @@
 # Statistics over many repeats.
 set(numeric_statistics SwarmConvergence.* NistNonlinearMean.* SeparablePerceptron.IsExactOnManySamples*)
 set(identify_statistics
-  *UnbiasedAndEfficient* *ReachesTheBound* *FromAnySeed *FromEverySeed *OverRepeats
+  *UnbiasedAndEfficient* *ReachesTheBound* *FromAnySeed *FromEverySeed
   PsoBpOnTheTwin.*
   GmdhCombi.WithoutNoise* GmdhCombi.TrueTerms* Tls.SaysThatItIsBiased*
   Hybrid.IsLeast* Hybrid.Predicts* Hybrid.DoesNot*)

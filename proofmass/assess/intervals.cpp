@@ -11,7 +11,8 @@ namespace {
 using StudentT = boost::math::students_t_distribution<double>;
 
 StudentT distribution_of(const Identification& result) {
-  const std::size_t dof = result.diagnostics.dof.value_or(0);
+  const Diagnostics& diagnostics = result.diagnostics;
+  const std::size_t dof = diagnostics.interval_dof.value_or(diagnostics.dof.value_or(0));
   return StudentT(dof > 0 ? static_cast<double>(dof) : std::numeric_limits<double>::infinity());
 }
 

@@ -60,6 +60,8 @@ enum class Code : std::uint8_t {
   terms_apart_by_rounding,
   rounding_costs_digits,
   white_noise_assumed,
+  errors_by_rows,
+  errors_by_mounts,
   sigma_output_unused,
   test_error_larger,
   left_out_exactly,
@@ -112,6 +114,7 @@ enum class Code : std::uint8_t {
   network_misfit,
   network_above_rounding,
   network_moves_coefficients,
+  network_errors_compared,
   // hybrid
   structure_beyond_terms,
   hidden_choice_ignored,

@@ -2,12 +2,15 @@
 #include "proofmass/core/identification.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "proofmass/core/error.hpp"
 
 namespace proofmass {
 namespace {
+
+constexpr std::array<std::string_view, 3> kCovarianceKinds{"model", "hc3", "mount"};
 
 // Rows and columns of the covariance belong to the identified coefficients, in their order.
 class Covariance {
@@ -67,6 +70,16 @@ Coefficient referred(const Coefficient& raw, double ki, const Covariance& covari
 
 }  // namespace
 
+std::string_view to_string(CovarianceKind kind) noexcept {
+  return kCovarianceKinds[static_cast<std::size_t>(kind)];
+}
+
+std::optional<CovarianceKind> find_covariance_kind(std::string_view name) noexcept {
+  const auto* const found = std::find(kCovarianceKinds.begin(), kCovarianceKinds.end(), name);
+  if (found == kCovarianceKinds.end()) return std::nullopt;
+  return static_cast<CovarianceKind>(found - kCovarianceKinds.begin());
+}
+
 const Coefficient& Identification::find(Term term) const {
   for (const Coefficient& c : coefficients) {
     if (c.term == term) return c;
@@ -82,6 +95,21 @@ StaticModel Identification::static_model() const {
     identified.coefficients.push_back(c.value);
   }
   return identified;
+}
+
+std::vector<double> correlations_of(const Identification& result) {
+  const auto n =
+      static_cast<std::size_t>(std::count_if(result.coefficients.begin(), result.coefficients.end(),
+                                             [](const Coefficient& c) { return c.identified; }));
+  if (n == 0 || result.covariance.size() != n * n) return {};
+  std::vector<double> correlations(n * n, 0.0);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      const double scale = std::sqrt(result.covariance[a * n + a] * result.covariance[b * n + b]);
+      correlations[a * n + b] = a == b ? 1.0 : scale > 0.0 ? result.covariance[a * n + b] / scale : 0.0;
+    }
+  }
+  return correlations;
 }
 
 std::vector<Coefficient> referred_to_input(const Identification& result) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -90,8 +91,9 @@ struct HiddenTrial {
 
 // Figures for judging the coefficients. Absent where a method has no such figure.
 struct Diagnostics {
-  std::optional<double> residual_sd;  // sqrt(RSS / dof), in the output's canonical unit
-  std::optional<std::size_t> dof;     // n - number of parameters
+  std::optional<double> residual_sd;        // sqrt(RSS / dof), in the output's canonical unit
+  std::optional<std::size_t> dof;           // n - number of parameters
+  std::optional<std::size_t> interval_dof;  // of the coefficients' intervals, where it is not dof
   std::optional<double> r2_adjusted;
   std::optional<double> condition_raw;     // 2-norm condition number of the design matrix
   std::optional<double> condition_scaled;  // the same with columns scaled to unit length
@@ -133,10 +135,17 @@ struct TrainingPath {
   double last_rmse = 0.0;  // of the scaled output, at the last of them
 };
 
+// What the covariance of the coefficients goes by: the method's own model of the noise, or how they change
+// when each row (HC3) or each mount (CR3) is left out.
+enum class CovarianceKind : std::uint8_t { model, hc3, mount };
+[[nodiscard]] std::string_view to_string(CovarianceKind kind) noexcept;
+[[nodiscard]] std::optional<CovarianceKind> find_covariance_kind(std::string_view name) noexcept;
+
 // Of the training rows in the fit, relative to one another.
 struct RowWeights {
-  std::vector<double> values;  // empty: all alike
-  bool fixed = true;           // whatever the outputs, so that leaving a row out changes no other's
+  std::vector<double> values;    // empty: all alike
+  std::vector<double> slopes{};  // d(weight * residual)/d(residual), where it is not the weight; else empty
+  bool fixed = true;             // whatever the outputs, so that leaving a row out changes no other's
 };
 
 struct Identification {
@@ -148,6 +157,7 @@ struct Identification {
   // Of each axis that the training rows have, in g: beyond it, predictions extrapolate.
   std::vector<std::pair<Axis, Interval>> input_range;
   std::vector<double> covariance;  // of the identified coefficients, row-major; empty when unknown
+  CovarianceKind covariance_kind = CovarianceKind::model;
   std::optional<TrainedNetwork>
       network;             // used for prediction by network methods; the others predict by the static model
   RowWeights row_weights;  // of a static model; no part of a result file
@@ -175,5 +185,8 @@ struct Identification {
 // are left out. Empty when Ki is not identified, is zero, or is less than five of its standard errors away
 // from it.
 [[nodiscard]] std::vector<Coefficient> referred_to_input(const Identification& result);
+
+// Correlations of the identified coefficients, row-major; empty where the covariance is not known.
+[[nodiscard]] std::vector<double> correlations_of(const Identification& result);
 
 }  // namespace proofmass

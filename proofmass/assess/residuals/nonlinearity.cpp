@@ -72,17 +72,4 @@ Nonlinearity nonlinearity_of(const Identification& result) {
   return made;
 }
 
-std::vector<double> correlations_of(const Identification& result) {
-  const std::size_t n = identified_count(result);
-  if (result.covariance.size() != n * n) return {};
-  std::vector<double> correlations(n * n, 0.0);
-  for (std::size_t a = 0; a < n; ++a) {
-    for (std::size_t b = 0; b < n; ++b) {
-      const double scale = std::sqrt(result.covariance[a * n + a] * result.covariance[b * n + b]);
-      correlations[a * n + b] = a == b ? 1.0 : scale > 0.0 ? result.covariance[a * n + b] / scale : 0.0;
-    }
-  }
-  return correlations;
-}
-
 }  // namespace proofmass

@@ -20,7 +20,4 @@ struct Nonlinearity {
 // Empty where no such term is identified, or the range of Ai is not known.
 [[nodiscard]] Nonlinearity nonlinearity_of(const Identification& result);
 
-// Correlations of the identified coefficients, row-major; empty where the covariance is not known.
-[[nodiscard]] std::vector<double> correlations_of(const Identification& result);
-
 }  // namespace proofmass

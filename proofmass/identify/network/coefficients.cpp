@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/identify/network/coefficients.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,70 +9,17 @@
 #include "proofmass/identify/model/term_sums.hpp"
 #include "proofmass/identify/network/scaling.hpp"
 #include "proofmass/numeric/linear/normal_solution.hpp"
-#include "proofmass/numeric/linear/triangular_accumulator.hpp"
 #include "proofmass/numeric/network/perceptron.hpp"
 
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kBlockRows = 512;
-// Directions of the tangent space weaker than this fraction of the strongest (of unit-length columns) are
-// rounding, not freedom of the network.
-constexpr double kTangentTolerance = 1e-10;
-
-// Derivatives of the scaled output by all weights, for scaled inputs x of one row.
-void tangent_row(const PerceptronShape& shape, const std::vector<double>& weights,
-                 const std::array<double, 3>& x, Matrix& block, std::size_t row, std::size_t first_column) {
-  const std::size_t bias = shape.hidden * shape.inputs;
-  const std::size_t outer = shape.hidden_weights();
-  for (std::size_t j = 0; j < shape.hidden; ++j) {
-    double z = weights[bias + j];
-    for (std::size_t k = 0; k < shape.inputs; ++k) z += weights[j * shape.inputs + k] * x[k];
-    const double h = std::tanh(z);
-    const double slope = weights[outer + j] * (1.0 - h * h);
-    for (std::size_t k = 0; k < shape.inputs; ++k)
-      block(row, first_column + j * shape.inputs + k) = slope * x[k];
-    block(row, first_column + bias + j) = slope;
-    block(row, first_column + outer + j) = h;
-  }
-  block(row, first_column + outer + shape.hidden) = 1.0;
-}
-
-// Triangular factor of [X J]: the terms' design matrix beside the tangent space of the network.
-Matrix joint_factor(const TrainedNetwork& network, const Dataset& data, const TermList& terms) {
-  const PerceptronShape shape{network.inputs.size(), network.hidden};
-  const Samples samples = scale_rows(network, data);
-  TriangularAccumulator accumulator(terms.size() + shape.parameters());
-  Matrix block(kBlockRows, terms.size() + shape.parameters());
-  for (std::size_t first = 0; first < data.rows(); first += kBlockRows) {
-    const std::size_t rows = std::min(kBlockRows, data.rows() - first);
-    for (std::size_t r = 0; r < rows; ++r) {
-      for (std::size_t c = 0; c < terms.size(); ++c) block(r, c) = regressor(terms[c], data.at(first + r));
-      std::array<double, 3> x{};
-      for (std::size_t k = 0; k < shape.inputs; ++k) x[k] = samples.input_data(k)[first + r];
-      tangent_row(shape, network.weights, x, block, r, terms.size());
-    }
-    accumulator.add(block, rows);
-  }
-  return accumulator.r();
-}
-
-// X⁺ P X⁺ᵀ from the triangular factor of [X J]: in the basis of its Q, X is the leading triangle and J the
-// rest.
-Matrix projected_covariance(const Matrix& factor, std::size_t terms, double variance) {
-  const auto size = static_cast<Eigen::Index>(factor.columns());
-  const auto t = static_cast<Eigen::Index>(terms);
-  const Eigen::Map<const Eigen::MatrixXd> r(factor.data(), size, size);
-  Eigen::MatrixXd tangent = r.rightCols(size - t);
-  for (Eigen::Index c = 0; c < tangent.cols(); ++c) {
-    if (const double norm = tangent.col(c).norm(); norm > 0.0) tangent.col(c) /= norm;
-  }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(tangent);
-  qr.setThreshold(kTangentTolerance);
-  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(size, qr.rank());
-  const Eigen::MatrixXd half = r.topLeftCorner(t, t).triangularView<Eigen::Upper>().solve(basis.topRows(t));
-  Matrix covariance(terms, terms);
-  Eigen::Map<Eigen::MatrixXd>(covariance.data(), t, t) = variance * half * half.transpose();
+// Of least squares with the terms on the same rows, and beside it the outer product of the difference.
+Matrix compared_covariance(const NormalSolution& least_squares, const std::vector<double>& difference) {
+  const double variance = least_squares.rss / static_cast<double>(least_squares.dof);
+  Matrix covariance = scaled(least_squares.unscaled_covariance, variance);
+  for (std::size_t r = 0; r < difference.size(); ++r)
+    for (std::size_t c = 0; c < difference.size(); ++c) covariance(r, c) += difference[r] * difference[c];
   return covariance;
 }
 
@@ -109,17 +54,13 @@ ProjectedCoefficients project_onto_terms(const TrainedNetwork& network, const Da
   NormalSolution fit = fit_terms(rows, terms);
   projected.fit.coefficients = std::move(fit.coefficients);
   projected.fit.vif = std::move(fit.vif);
-  const std::size_t weights = network.weights.size();
-  if (data.rows() > weights) {
-    projected.fit.covariance =
-        projected_covariance(joint_factor(network, data, terms), terms.size(),
-                             projected.rss / static_cast<double>(data.rows() - weights));
-  }
   rows.output = std::move(residual);
   const NormalSolution missed = fit_terms(rows, terms);
   projected.deviation = missed.coefficients;
   projected.induced_deviation =
       std::sqrt(std::max(0.0, projected.rss - missed.rss) / static_cast<double>(data.rows()));
+  if (data.rows() > terms.size())
+    projected.fit.covariance = compared_covariance(fit_terms(data, terms), projected.deviation);
   return projected;
 }
 

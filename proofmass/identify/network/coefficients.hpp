@@ -12,10 +12,10 @@
 namespace proofmass {
 
 // Least-squares projection of the network's function onto the terms over the rows of the record. The
-// covariance is by the delta method: s² X⁺ P X⁺ᵀ with X the design matrix, P the projector onto the tangent
-// space of the network at its weights and s² = residual sum of squares / (rows - weights). It assumes white
-// noise, exact inputs and a network trained to a minimum, and knows nothing of what the network cannot
-// represent.
+// covariance is that of least squares with the same terms on the same rows, s² (XᵀX)⁻¹, plus d dᵀ with d the
+// difference of the two coefficients. The delta method in the network's tangent space knows nothing of what
+// the network cannot represent, and is too small there; d shows it without the truth. It assumes white noise
+// and exact inputs. Empty without more rows than terms.
 struct ProjectedCoefficients {
   StaticFit fit;
   double rss = 0.0;  // of the network itself over the rows, output's canonical unit squared

@@ -93,11 +93,12 @@ void add_coefficients(Identification& result, const NetworkTask& task, Extractio
     return;
   }
   result.findings.push_back({.code = Code::coefficients_projected});
+  if (!result.covariance.empty()) result.findings.push_back({.code = Code::network_errors_compared});
   const double typical =
       residual_sd * std::sqrt(static_cast<double>(terms.size()) / static_cast<double>(task.training.rows()));
   if (projected.induced_deviation > typical) {
     result.findings.push_back({.code = Code::network_moves_coefficients,
-                               .severity = Severity::warning,
+                               .severity = Severity::note,
                                .figures = {{"induced", projected.induced_deviation},
                                            {"typical", typical},
                                            {"unit", result.output_unit.canonical_symbol()}}});

@@ -39,7 +39,7 @@ Number read(std::string_view name, std::string_view text, const Range<Number>& r
 template <typename Number>
 Message number_in(const Range<Number>& range) {
   const Message description = described(range);
-  const bool of = description.words().starts_with("at least");
+  const bool of = description.english().starts_with("at least");
   if constexpr (std::is_integral_v<Number>) {
     return of ? message("a whole number of {}", description) : message("a whole number {}", description);
   } else {

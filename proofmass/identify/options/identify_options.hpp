@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "proofmass/core/identification.hpp"
 #include "proofmass/core/term.hpp"
 #include "proofmass/identify/options/field.hpp"
 #include "proofmass/identify/options/method_info.hpp"
@@ -24,6 +25,10 @@ inline constexpr std::array kSplitByWords{Word<SplitBy>{"row", SplitBy::row},
 
 inline constexpr std::array kTrainingFractions{kTrainingFraction};  // for the helps
 
+inline constexpr std::array kCovarianceWords{Word<CovarianceKind>{"model", CovarianceKind::model},
+                                             Word<CovarianceKind>{"hc3", CovarianceKind::hc3},
+                                             Word<CovarianceKind>{"mount", CovarianceKind::mount}};
+
 // What every method takes. In a help, {methods} are those that fit all rows when no split is asked for.
 struct IdentifyOptions {
   TermList terms = paper_terms();
@@ -31,6 +36,7 @@ struct IdentifyOptions {
   std::uint64_t seed = 1;
   std::optional<double> split{};
   SplitBy split_by = SplitBy::row;
+  CovarianceKind covariance = CovarianceKind::model;
 
   static constexpr auto fields = std::tuple{
       field("on-rank-loss", &IdentifyOptions::on_rank_loss,
@@ -47,7 +53,11 @@ struct IdentifyOptions {
       field("split-by", &IdentifyOptions::split_by,
             "whether rows are drawn one by one, or all rows of a mount together (with a split of {} "
             "where none is given)",
-            kSplitByWords, {.place = "commands.md#which-rows-are-fitted", .figures = kTrainingFractions})};
+            kSplitByWords, {.place = "commands.md#which-rows-are-fitted", .figures = kTrainingFractions}),
+      field("covariance", &IdentifyOptions::covariance,
+            "what standard errors go by: the method's model of the noise, or how the coefficients change "
+            "when each row (hc3) or each mount is left out",
+            kCovarianceWords, {.place = "uncertainty.md#covariances"})};
 };
 
 }  // namespace proofmass

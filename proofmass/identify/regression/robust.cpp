@@ -153,7 +153,9 @@ Identification fit(const Robust& method, const Dataset& training, const Identify
   std::vector<SuspectRow> suspects = suspect_rows(training, fit, method.outlier_limit);
   add_findings(result, training, fit, method, suspects);
   result.details = RobustDetails{.scale = fit.scale, .suspect_rows = std::move(suspects)};
-  result.row_weights = {.values = std::move(fit.weights), .fixed = false};
+  std::vector<double> slopes = fit.residuals;
+  for (double& r : slopes) r = fit.loss_scale > 0.0 ? fit.loss.slope(r / fit.loss_scale) : 1.0;
+  result.row_weights = {.values = std::move(fit.weights), .slopes = std::move(slopes), .fixed = false};
   result.ending = ending_of(fit.termination);
   progress.update("robust regression", 1, 1);
   return result;

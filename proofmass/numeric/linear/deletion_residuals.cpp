@@ -9,6 +9,7 @@
 
 #include "proofmass/numeric/linear/gram_matrix.hpp"
 #include "proofmass/numeric/linear/normal_solution.hpp"
+#include "proofmass/numeric/linear/orthonormal_rows_internal.hpp"
 #include "proofmass/numeric/linear/rank_analysis.hpp"
 
 namespace proofmass {
@@ -18,38 +19,6 @@ constexpr std::size_t kGroupsAtOnce = 4096;  // each has a matrix of its own
 constexpr double kUndetermined = 1e-9;       // of one: what a row or group leaves to the others
 
 using Vector = Eigen::VectorXd;
-
-// The rows of orthonormal regressors, one after the other.
-class OrthonormalRows {
- public:
-  OrthonormalRows(const RegressionRows& rows, Matrix orthogonaliser)
-      : rows_(rows), orthogonaliser_(std::move(orthogonaliser)) {}
-
-  [[nodiscard]] std::size_t regressors() const noexcept { return rows_.regressors(); }
-  // Calls visit(row, q) for each row in turn.
-  template <typename Visit>
-  void for_each(Visit&& visit) const {
-    const std::size_t p = rows_.regressors();
-    RowBlock block(p + 1);
-    Vector q(static_cast<Eigen::Index>(p));
-    for (std::size_t first = 0; first < rows_.rows(); first += RowBlock::kRows) {
-      const std::size_t count = std::min(RowBlock::kRows, rows_.rows() - first);
-      rows_.fill(first, count, block);
-      for (std::size_t r = 0; r < count; ++r) {
-        for (std::size_t c = 0; c < p; ++c) {
-          double sum = 0.0;
-          for (std::size_t k = 0; k <= c; ++k) sum += block.column(k)[r] * orthogonaliser_(k, c);
-          q[static_cast<Eigen::Index>(c)] = sum;
-        }
-        visit(first + r, q);
-      }
-    }
-  }
-
- private:
-  const RegressionRows& rows_;
-  Matrix orthogonaliser_;
-};
 
 // What a group takes from the sums, in terms of the orthonormal regressors.
 struct GroupSums {

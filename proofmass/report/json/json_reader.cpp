@@ -35,7 +35,12 @@ Coefficient coefficient_of(const JsonNode& node) {
   if (coefficient.identified) coefficient.value = node.at("value").number();
   if (const auto left_out = node.find("left_out")) coefficient.left_out = left_out->flag();
   coefficient.standard_error = optional_number(node, "standard_error");
-  if (const auto ci95 = node.find("ci95")) coefficient.ci95 = interval_of(*ci95);
+  if (coefficient.standard_error.value_or(0.0) < 0.0) node.at("standard_error").fail("a number of at least 0");
+  if (const auto ci95 = node.find("ci95")) {
+    coefficient.ci95 = interval_of(*ci95);
+    if (!(coefficient.ci95->low <= coefficient.value && coefficient.value <= coefficient.ci95->high))
+      ci95->fail("an interval around the coefficient's value");
+  }
   coefficient.t = optional_number(node, "t");
   coefficient.p = optional_number(node, "p");
   coefficient.vif = optional_number(node, "vif");
@@ -71,6 +76,15 @@ std::vector<double> covariance_of(const JsonNode& node, std::size_t size) {
     flat.insert(flat.end(), values.begin(), values.end());
   }
   return flat;
+}
+
+// Earlier versions knew the model's alone.
+CovarianceKind covariance_kind_of(const JsonNode& root) {
+  const auto node = root.find("covariance_kind");
+  if (!node) return CovarianceKind::model;
+  const auto kind = find_covariance_kind(node->text());
+  if (!kind) node->fail("model, hc3 or mount");
+  return *kind;
 }
 
 std::optional<Metrics> metrics_of(const JsonNode& parts, const std::string& part) {
@@ -181,6 +195,7 @@ Run parse_result(std::string_view text, const std::string& source) {
     const auto identified = std::count_if(result.coefficients.begin(), result.coefficients.end(),
                                           [](const Coefficient& c) { return c.identified; });
     result.covariance = covariance_of(*covariance, static_cast<std::size_t>(identified));
+    result.covariance_kind = covariance_kind_of(root);
   }
   return {
       .split = {}, .identification = std::move(result), .provenance = provenance_of(root.at("provenance"))};

@@ -379,6 +379,7 @@ RC_GTEST_PROP(Json, KeepsTheBitsOfEveryFiniteNumber, ()) {
   RC_PRE(std::isfinite(value));
   proofmass::Run run = full_run();
   run.identification.coefficients[0].value = value;
+  run.identification.coefficients[0].ci95 = {.low = value, .high = value};
   run.identification.findings[1].figures[3].value = value;
   const Identification read = again(run).identification;
   RC_ASSERT(std::bit_cast<std::uint64_t>(read.coefficients[0].value) == bits);
@@ -418,6 +419,10 @@ TEST(Json, NamesTheKeyThatIsWrong) {
             std::string::npos);
   EXPECT_NE(broken("/coefficients/1/name", "K0").find("each term once"), std::string::npos);
   EXPECT_NE(broken("/seed", -1).find("'seed'"), std::string::npos);
+  EXPECT_NE(broken("/coefficients/0/standard_error", -1.0).find("expected a number of at least 0"),
+            std::string::npos);
+  EXPECT_NE(broken("/coefficients/0/value", 1e3).find("an interval around the coefficient's value"),
+            std::string::npos);
   EXPECT_NE(broken("/covariance", Json::array({1})).find("'covariance'"), std::string::npos);
   EXPECT_NE(broken("/units/output", "furlong").find("'units.output'"), std::string::npos);
   EXPECT_EQ(broken("/findings/1/severity", "grave"),

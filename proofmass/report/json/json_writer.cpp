@@ -123,6 +123,7 @@ Json diagnostics_of(const Identification& result) {
   Json json = Json::object();
   set(json, "residual_sd", diagnostics.residual_sd);
   set(json, "dof", diagnostics.dof);
+  set(json, "interval_dof", diagnostics.interval_dof);
   set(json, "r2_adjusted", diagnostics.r2_adjusted);
   set(json, "condition_raw", diagnostics.condition_raw);
   set(json, "condition_scaled", diagnostics.condition_scaled);
@@ -136,9 +137,13 @@ Json diagnostics_of(const Identification& result) {
 Json json_of(const Provenance& provenance) {
   Json options = Json::object();
   for (const auto& [key, value] : provenance.options) options[key] = value;
-  return {{"version", provenance.version},           {"input", provenance.input},
-          {"input_sha256", provenance.input_sha256}, {"acceleration_unit", provenance.acceleration_unit},
-          {"options", std::move(options)},           {"reading", json_of(std::span(provenance.reading))}};
+  Json json{{"version", provenance.version},
+            {"input", provenance.input},
+            {"input_sha256", provenance.input_sha256}};
+  if (!provenance.acceleration_unit.empty()) json["acceleration_unit"] = provenance.acceleration_unit;
+  json["options"] = std::move(options);
+  json["reading"] = json_of(std::span(provenance.reading));
+  return json;
 }
 
 Json json_of(const TrainedNetwork& network) {
@@ -200,6 +205,8 @@ std::string to_json(const Run& run) {
   if (result.network) json["network"] = json_of(*result.network);
   if (!result.covariance.empty() && all_finite(result.covariance)) {
     json["covariance"] = covariance_of(result.covariance);
+    json["covariance_kind"] = to_string(result.covariance_kind);
+    json["correlations"] = covariance_of(correlations_of(result));
   }
   return json_layout(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

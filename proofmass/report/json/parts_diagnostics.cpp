@@ -59,6 +59,7 @@ std::vector<HiddenTrial> hidden_trials_of(const JsonNode& diagnostics) {
 Diagnostics diagnostics_of(const JsonNode& node) {
   return {.residual_sd = optional_number(node, "residual_sd"),
           .dof = optional_count(node, "dof"),
+          .interval_dof = optional_count(node, "interval_dof"),
           .r2_adjusted = optional_number(node, "r2_adjusted"),
           .condition_raw = optional_number(node, "condition_raw"),
           .condition_scaled = optional_number(node, "condition_scaled"),

@@ -81,6 +81,13 @@ std::string_view sentence(Code code) noexcept {
              "of 16 digits";
     case Code::white_noise_assumed:
       return "standard errors assume exact inputs and white output noise of the same variance in every row";
+    case Code::errors_by_rows:
+      return "standard errors come from how the coefficients change when each row is left out (HC3): they "
+             "hold for noise of any variance that is independent from row to row, and assume exact inputs";
+    case Code::errors_by_mounts:
+      return "standard errors come from how the coefficients change when each of {count:.0f} mounts is left "
+             "out (CR3): they hold for any errors that are independent from mount to mount; intervals have "
+             "{dof:.0f} {dof:?degree|degrees} of freedom";
     case Code::sigma_output_unused:
       return "sigma_E is not used: {method} gives all rows the same weight";
     case Code::test_error_larger:
@@ -210,9 +217,7 @@ std::string_view sentence(Code code) noexcept {
              "variance in every row) with the distance from its solution added in quadrature; the search "
              "itself has none";
     case Code::coefficients_projected:
-      return "coefficients are the least-squares projection of the network onto the terms; their standard "
-             "errors (delta method) assume exact inputs, white noise of one variance and a network trained "
-             "to a minimum";
+      return "coefficients are the least-squares projection of the network onto the terms";
     case Code::coefficients_expanded:
       return "coefficients are the network's Taylor expansion at zero specific force: they have no standard "
              "errors, and third-order terms are far less certain than by projection";
@@ -228,7 +233,14 @@ std::string_view sentence(Code code) noexcept {
              "t and p do not hold";
     case Code::network_moves_coefficients:
       return "the network's misfit moves the coefficients by {induced:.3g} {unit} (rms over the rows), more "
-             "than noise does ({typical:.3g} {unit}): the standard errors are too small by about that ratio";
+             "than noise does ({typical:.3g} {unit}): the standard errors hold that difference. More hidden "
+             "units, or "
+             "least squares, come closer";
+    case Code::network_errors_compared:
+      return "standard errors are those of least squares with the same terms on the same rows, and beside "
+             "them the difference of the two coefficients, which shows what the network cannot represent; "
+             "they "
+             "assume exact inputs and white noise of one variance";
     case Code::structure_beyond_terms:
       return "the record has structure that the terms asked for lack, from the sensor or from the stand. A "
              "network beside the terms predicts it. The coefficients are the least-squares projection of "

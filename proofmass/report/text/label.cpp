@@ -17,15 +17,15 @@ constexpr std::array kWords{
     Words{"Contents", "目录"},
     Words{"Verdict", "结论"},
     Words{"All {count:.0f} terms of the model are identified, and no test of record and fit gave a warning.",
-          "模型的 {count:.0f} 项全部可辨识，对记录与拟合的各项检验均未给出警告。"},
+          "模型的 {count:.0f} 项全部已辨识，对记录与拟合的各项检验均未给出警告。"},
     Words{"{count:.0f} of {total:.0f} terms of the model are identified, and no test of record and fit gave "
           "a warning; the other terms are listed with the reason.",
           "模型 {total:.0f} 项中有 {count:.0f} "
-          "项可辨识，对记录与拟合的各项检验均未给出警告；其余各项及原因见下文。"},
+          "项已辨识，对记录与拟合的各项检验均未给出警告；其余各项及原因见下文。"},
     Words{"{warnings:.0f} {warnings:?warning is|warnings are} to be settled before the coefficients are "
           "used; {count:.0f} of {total:.0f} terms of the model are identified.",
-          "使用系数之前须先处理 {warnings:.0f} 条警告；模型 {total:.0f} 项中有 {count:.0f} 项可辨识。"},
-    Words{"No coefficient is identified.", "没有可辨识的系数。"},
+          "使用系数之前须先处理 {warnings:.0f} 条警告；模型 {total:.0f} 项中有 {count:.0f} 项已辨识。"},
+    Words{"No coefficient is identified.", "没有已辨识的系数。"},
     Words{"Warning", "警告"},
     Words{"Note", "说明"},
     Words{"Basis", "依据"},
@@ -37,7 +37,7 @@ constexpr std::array kWords{
     Words{"Standard error", "标准误差"},
     Words{"95 % interval", "95 % 置信区间"},
     Words{"Interval and zero", "区间与零点"},
-    Words{"Terms that are not identified", "不可辨识的项"},
+    Words{"Terms that are not identified", "未辨识的项"},
     Words{"Reason", "原因"},
     Words{"Referred to input (divided by Ki)", "折算到输入（除以 Ki）"},
     Words{"Errors by part", "各部分误差"},
@@ -179,6 +179,10 @@ constexpr std::array kWords{
           "with a split of its own; training fraction {fraction:.3g}.",
           "对 {input} 的相同数据行比较 {methods:.0f} 种方法；重复 {repeats:.0f} 次，每次另行划分；训练比例 "
           "{fraction:.3g}。"},
+    Words{"{methods:.0f} {methods:?method|methods} on the same rows of {input}; training fraction "
+          "{fraction:.3g}.",
+          "对 {input} 的相同数据行比较 {methods:.0f} 种方法；训练比例 {fraction:.3g}。"},
+    Words{" ({count:.0f} of {total:.0f} repeats)", "（{total:.0f} 次重复中有 {count:.0f} 次）"},
     Words{"Coefficients ± one standard error, seed {seed:.0f}", "系数 ± 一倍标准误差，随机种子 {seed:.0f}"},
     Words{"Each point is the error of a coefficient over the method's own standard error; bars are the 95 % "
           "interval. An honest interval holds zero in 19 of 20 cases.",
@@ -248,8 +252,27 @@ constexpr std::array kWords{
     Words{"iterations of BP", "BP 的迭代次数"},
     Words{"iterations of PSO-BP", "PSO-BP 的迭代次数"},
     Words{"Unit", "单位"},
+    Words{"step", "步"},
+    Words{"best fish", "最优个体"},
+    Words{"mean of the fish", "鱼群平均"},
+    Words{"Bayesian information criterion by hidden units", "各隐层单元数的贝叶斯信息准则"},
+    Words{"weighted sum of squares", "加权平方和"},
+    Words{"external criterion by number of terms", "各项数的外部准则"},
+    Words{"external criterion by layer", "各层的外部准则"},
+    Words{"Hidden units tried: RMSE on rows set aside, {unit}", "试用的隐层单元数：留出行的 RMSE，{unit}"},
+    Words{"spread", "离散"},
+    Words{"chosen", "选定"},
+    Words{"Saturated fraction", "饱和比例"},
+    Words{"Deviation induced by the network", "网络引起的偏差"},
+    Words{"Training epochs", "训练轮次"},
+    Words{"Swarm evaluations", "群体计算次数"},
+    Words{"Robust scale", "稳健尺度"},
+    Words{"Models tried", "试算模型数"},
+    Words{"Accelerations are converted from {unit} to g.", "加速度已由 {unit} 换算为 g。"},
+    Words{"Figure {number:.0f}: ", "图 {number:.0f}："},
+    Words{"Option", "选项"},
 };
-static_assert(kWords.size() == static_cast<std::size_t>(Label::unit) + 1);
+static_assert(kWords.size() == static_cast<std::size_t>(Label::option) + 1);
 
 }  // namespace
 

@@ -11,7 +11,7 @@ TEST(Labels, HoldTheirFigures) {
   EXPECT_EQ(text.en,
             "1 warning is to be settled before the coefficients are used; 3 of 4 terms of the model are "
             "identified.");
-  EXPECT_EQ(text.zh, "使用系数之前须先处理 1 条警告；模型 4 项中有 3 项可辨识。");
+  EXPECT_EQ(text.zh, "使用系数之前须先处理 1 条警告；模型 4 项中有 3 项已辨识。");
 }
 
 }  // namespace

@@ -16,10 +16,18 @@ struct NamedCurve {
   std::string_view name;
   Label label;
 };
-constexpr std::array kCurves{
-    NamedCurve{"train", Label::train},           NamedCurve{"training", Label::train},
-    NamedCurve{"validation", Label::validation}, NamedCurve{"test", Label::test},
-    NamedCurve{"swarm_best", Label::swarm_best}, NamedCurve{"swarm_mean", Label::swarm_mean}};
+constexpr std::array kCurves{NamedCurve{"train", Label::train},
+                             NamedCurve{"training", Label::train},
+                             NamedCurve{"validation", Label::validation},
+                             NamedCurve{"test", Label::test},
+                             NamedCurve{"swarm_best", Label::swarm_best},
+                             NamedCurve{"swarm_mean", Label::swarm_mean},
+                             NamedCurve{"fish_best", Label::fish_best},
+                             NamedCurve{"fish_mean", Label::fish_mean},
+                             NamedCurve{"information_criterion", Label::information_criterion},
+                             NamedCurve{"weighted_sum_of_squares", Label::weighted_squares},
+                             NamedCurve{"criterion_by_terms", Label::criterion_by_terms},
+                             NamedCurve{"criterion_by_layer", Label::criterion_by_layer}};
 
 // What stands behind the comma of an entry, or in front of its method.
 constexpr std::array kEntryWords{Words{", 8 terms", "，8 项"},   Words{", 15 terms", "，15 项"},

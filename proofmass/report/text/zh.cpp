@@ -73,6 +73,11 @@ std::string_view chinese_template(Code code) noexcept {
       return "各列归一化后的条件数为 {condition:.1e}：舍入误差约使 16 位有效数字损失 {digits:.0f} 位";
     case Code::white_noise_assumed:
       return "标准误差假定输入准确，输出噪声为白噪声且各行方差相同";
+    case Code::errors_by_rows:
+      return "标准误差由逐行剔除时系数的变化求得（HC3）：适用于各行独立、方差任意的噪声，并假定输入准确";
+    case Code::errors_by_mounts:
+      return "标准误差由逐个剔除 {count:.0f} 个安装位置时系数的变化求得（CR3）："
+             "适用于各安装位置之间独立的任何误差；区间的自由度为 {dof:.0f}";
     case Code::sigma_output_unused:
       return "未使用 sigma_E：{method} 对所有行赋予相同的权";
     case Code::test_error_larger:
@@ -179,8 +184,7 @@ std::string_view chinese_template(Code code) noexcept {
       return "标准误差由最小二乘的标准误差（输入准确，"
              "输出噪声为白噪声且各行方差相同）与到最小二乘解的距离按方和根合成；搜索本身不给出标准误差";
     case Code::coefficients_projected:
-      return "系数是网络在模型项上的最小二乘投影；其标准误差（误差传播法）假定输入准确、"
-             "白噪声方差相同，且网络已训练到极小点";
+      return "系数是网络在模型项上的最小二乘投影";
     case Code::coefficients_expanded:
       return "系数是网络在零比力处的泰勒展开：没有标准误差，三阶项远不如投影可靠";
     case Code::expansion_differs:
@@ -194,7 +198,11 @@ std::string_view chinese_template(Code code) noexcept {
              "这是失拟而不是白噪声，因此标准误差、置信区间、t 和 p 均不成立";
     case Code::network_moves_coefficients:
       return "网络的失拟使系数改变 {induced:.3g} {unit}（各行的均方根），"
-             "大于噪声的影响（{typical:.3g} {unit}）：标准误差约按此比例偏小";
+             "大于噪声的影响（{typical:.3g} "
+             "{unit}）：标准误差已计入该差值。增加隐含层节点数或使用最小二乘更为准确";
+    case Code::network_errors_compared:
+      return "标准误差由同一数据行、相同模型项的最小二乘标准误差与两者系数之差合成："
+             "该差值反映网络不能描述的部分；假定输入准确、白噪声方差相同";
     case Code::structure_beyond_terms:
       return "记录中含有所要求的模型项不能描述的规律，来自传感器或试验设备，由与模型项并列的网络预测。"
              "系数是模型项与网络之和在记录各行上对模型项的最小二乘投影；在这些行之间，"

@@ -112,12 +112,12 @@ constexpr std::array kIdentifyMessages{
         "a column with the standard uncertainty of E in each row; or let the residuals decide the weights",
         "给出每行 E 的标准不确定度的列；或由残差决定权"},
     ChineseMessage{"interrupted before the weighted least-squares solution", "在求加权最小二乘解之前被中断"},
-    ChineseMessage{"interrupted in the search for terms", "在选项过程中被中断"},
+    ChineseMessage{"interrupted in the search for terms", "在选择项的过程中被中断"},
     ChineseMessage{
         "{}: leaving one row out cannot judge terms that one row alone identifies (its leverage is 1); "
         "measure such positions again, ask for fewer terms, or use ols, which does not choose terms",
         "{}：有的项仅由一行辨识（其杠杆值为 "
-        "1），留一法不能评判；请重测这些位置、减少所要求的项，或改用不选项的 ols"},
+        "1），留一法不能评判；请重测这些位置、减少所要求的项，或改用不选择项的 ols"},
     ChineseMessage{"; criterion press needs no such division", "；press 准则不需要这样划分"},
     ChineseMessage{"at least {} in each part that the criterion divides the training rows into{}",
                    "准则所划分的训练行的每一部分至少 {} 行{}"},

@@ -18,9 +18,27 @@ constexpr std::array kPipelineMessages{
                    "每行都有安装位置的标签，使同一安装位置的行不被拆开"},
     ChineseMessage{"a column with the label of the mount in each row, to keep the rows of a mount together",
                    "给出每行安装位置标签的列，使同一安装位置的行不被拆开"},
+    ChineseMessage{"the label of a mount in each row, for a covariance by mounts",
+                   "每行都有安装位置的标签，才能按安装位置求协方差"},
+    ChineseMessage{"a column with the label of the mount in each row, for a covariance by mounts",
+                   "给出每行安装位置标签的列，才能按安装位置求协方差"},
+    ChineseMessage{"covariance: found '{}', but {} has the covariance model alone; {} have it",
+                   "covariance：给出的是 '{}'，而 {} 只有 model 协方差；{} 具有该协方差"},
+    ChineseMessage{
+        "{}: the loss is flat at so many rows of high leverage that the covariance {} cannot be had; "
+        "Huber's loss, or the covariance of the model, may do",
+        "{}：损失函数在过多的高杠杆行处平坦，不能求得 {} 协方差；可改用 Huber 损失或模型协方差"},
+    ChineseMessage{"line {}", "第 {} 行"},
+    ChineseMessage{"the mount '{}'", "安装位置 '{}'"},
+    ChineseMessage{
+        "{}: without {} the other rows cannot identify these terms, so that no covariance can be had by "
+        "leaving it out",
+        "{}：剔除{}后，其余的行不能辨识这些模型项，因此不能由剔除求得协方差"},
     ChineseMessage{
         "{}: {}, which contradicts the result; the result file was changed, or made by another version",
         "{}：{}，与结果矛盾；结果文件被改动过，或由另一版本生成"},
+    ChineseMessage{"its training error is {:.6g}, and that of its coefficients is {:.6g}",
+                   "结果所记的训练误差为 {:.6g}，而由其系数算得 {:.6g}"},
     ChineseMessage{"option {} is '{}'", "选项 {} 为 '{}'"},
     ChineseMessage{"no mounts, and option split-by is mount", "没有安装位置，而选项 split-by 为 mount"},
     ChineseMessage{"{} training, {} validation and {} test rows by the options",

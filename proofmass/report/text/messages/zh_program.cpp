@@ -7,6 +7,8 @@ namespace proofmass {
 namespace {
 
 constexpr std::array kProgramMessages{
+    ChineseMessage{"{}: found '{}', expected a file or folder; ./{} is one of that name",
+                   "{}：给出的是 '{}'，应为文件或文件夹；该名称的文件可写作 ./{}"},
     ChineseMessage{"{}: found an empty name, expected a file or folder", "{}：名称为空，应为文件或文件夹"},
     ChineseMessage{"completion: found '{}', expected bash, zsh or fish",
                    "completion：实为 '{}'，应为 bash、zsh 或 fish"},
@@ -48,7 +50,6 @@ constexpr std::array kProgramMessages{
     ChineseMessage{"inputs for which the result predicts a finite output", "使结果的预测值有限的输入"},
     ChineseMessage{"standard input can be the result or the inputs, not both",
                    "标准输入可以是结果或输入，不能同时是两者"},
-    ChineseMessage{"cannot open '{}': no such file", "不能打开 '{}'：没有该文件"},
     ChineseMessage{
         "{} is not the record that {} was made from: its SHA-256 is {}, that of the result's record {}; give "
         "that record, or leave the option out for a report without figures of rows",

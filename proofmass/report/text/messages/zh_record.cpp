@@ -44,7 +44,7 @@ constexpr std::array kRecordMessages{
     ChineseMessage{"text without control characters, not a binary file",
                    "不含控制字符的文本，而不是二进制文件"},
     ChineseMessage{"comma", "逗号"},
-    ChineseMessage{"point", "小数点"},
+    ChineseMessage{"point", "点"},
     ChineseMessage{"numbers whose {} is decimal for certain: here each has three digits after it or none at "
                    "all, as thousands do. Take the {}s out if they part thousands",
                    "能确定{}表示小数的数值：这里其后都是三位数字或没有数字，与千位分隔相同。若{}"

@@ -7,6 +7,9 @@ namespace proofmass {
 namespace {
 
 constexpr std::array kReportMessages{
+    ChineseMessage{"model, hc3 or mount", "model、hc3 或 mount"},
+    ChineseMessage{"a number of at least 0", "不小于 0 的数"},
+    ChineseMessage{"an interval around the coefficient's value", "包含系数值的区间"},
     ChineseMessage{"a known ending", "已知的终止状态"},
     ChineseMessage{"basis, note or warning", "basis、note 或 warning"},
     ChineseMessage{"the name of a term", "项的名称"},

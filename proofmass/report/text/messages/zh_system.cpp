@@ -26,7 +26,7 @@ constexpr std::array kSystemMessages{
     ChineseMessage{"Read-only file system", "文件系统只读"},
     ChineseMessage{"Operation not permitted", "不允许此操作"},
     ChineseMessage{"operation not permitted", "不允许此操作"},
-    ChineseMessage{"Invalid argument", "名称无效"},
+    ChineseMessage{"Invalid argument", "参数无效"},
     ChineseMessage{"Too many open files", "打开的文件太多"},
     ChineseMessage{"too many open files", "打开的文件太多"},
     ChineseMessage{"Too many levels of symbolic links", "符号链接层数太多"},
