@@ -25,6 +25,7 @@
 #include "proofmass/report/json/json.hpp"
 #include "proofmass/report/terminal/terminal.hpp"
 #include "proofmass/report/text/en.hpp"
+#include "proofmass/report/text/messages/message_text.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
 #include "proofmass/stand/twin/simulation_file.hpp"
 #include "proofmass/study/compare.hpp"

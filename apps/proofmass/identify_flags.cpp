@@ -80,6 +80,7 @@ void set(Options& options, const std::string& name, const std::string& text) {
     set_option(options, name, text);
   } catch (const Error& error) {
     // By its present name; the user may have typed a former one.
+    if (error.message().words() != "{}: {}") throw;
     throw usage_error(message("--{}: {}", name, error.message().values().back()));
   }
 }

@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <string>
 
@@ -14,13 +16,15 @@ namespace {
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 constexpr int kInterrupted = 130;  // exit_code(ErrorKind::interrupted)
 
-std::string farewell;  // as a handler finds it: written before there is one
+// As a handler finds it: written before there is one, and never destroyed.
+std::array<char, 256> farewell{};
+std::size_t farewell_length = 0;
 std::atomic<bool> asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "or a signal handler must not touch it");
 
 // Both do only what POSIX allows in a handler.
 extern "C" void leave(int) {
-  const auto unheard = write(STDERR_FILENO, farewell.data(), farewell.size());
+  const auto unheard = write(STDERR_FILENO, farewell.data(), farewell_length);
   static_cast<void>(unheard);
   _exit(kInterrupted);
 }
@@ -51,7 +55,8 @@ void handle(int signal_number, void (*handler)(int), struct sigaction& before) {
 }  // namespace
 
 void leave_when_interrupted(const std::string& word) {
-  farewell = word;
+  farewell_length = std::min(word.size(), farewell.size());
+  std::copy_n(word.begin(), farewell_length, farewell.begin());
   struct sigaction before {};
   for (const int signal_number : kSignals) handle(signal_number, leave, before);
 }

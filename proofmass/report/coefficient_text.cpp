@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "proofmass/report/number_text.hpp"
 #include "proofmass/report/readable_units.hpp"
 
@@ -18,6 +15,7 @@ std::string reading_unit(Term term, const Unit& output) {
 std::string readable_number(const Coefficient& c, const Unit& output) {
   const ReadableUnit unit = output.is_acceleration() ? readable_unit(c.term) : ReadableUnit{};
   const double value = (c.value - unit.offset) * unit.factor;
+  if (value == 0.0 && !c.standard_error) return "0";
   return c.standard_error ? plus_minus_text(value, *c.standard_error * unit.factor)
                           : significant_text(value, 6);
 }
@@ -32,12 +30,7 @@ std::string readable_interval(const Coefficient& c, const Unit& output) {
   const ReadableUnit unit = output.is_acceleration() ? readable_unit(c.term) : ReadableUnit{};
   const double low = (c.ci95->low - unit.offset) * unit.factor;
   const double high = (c.ci95->high - unit.offset) * unit.factor;
-  const double error = *c.standard_error * unit.factor;
-  constexpr int kMostDecimals = 9;
-  const int decimals = error > 0.0 ? 1 - static_cast<int>(std::floor(std::log10(error))) : kMostDecimals + 1;
-  if (decimals > kMostDecimals)
-    return fmt::format("[{}, {}]", uncertain_text(low, error), uncertain_text(high, error));
-  return fmt::format("[{:.{}f}, {:.{}f}]", low, std::max(decimals, 0), high, std::max(decimals, 0));
+  return interval_text((c.value - unit.offset) * unit.factor, *c.standard_error * unit.factor, low, high);
 }
 
 }  // namespace proofmass

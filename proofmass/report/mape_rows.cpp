@@ -12,12 +12,12 @@ void MapeRows::Counts::add(std::size_t count) {
   most = std::max(most, count);
 }
 
-void MapeRows::add(std::string_view part, const std::optional<Metrics>& metrics) {
+void MapeRows::add(const Text& part, const std::optional<Metrics>& metrics) {
   if (!metrics || metrics->mape_rows == 0) return;
   auto known =
-      std::find_if(parts_.begin(), parts_.end(), [part](const Part& other) { return other.name == part; });
+      std::find_if(parts_.begin(), parts_.end(), [&part](const Part& other) { return other.name == part; });
   if (known == parts_.end()) {
-    known = parts_.insert(parts_.end(), Part{.name = std::string(part), .used = {}, .rows = {}});
+    known = parts_.insert(parts_.end(), Part{.name = part, .used = {}, .rows = {}});
   }
   known->used.add(metrics->mape_rows);
   known->rows.add(metrics->n);
@@ -39,7 +39,8 @@ std::string MapeRows::text(Language language) const {
   for (const Part& part : parts_) {
     if (!part.leaves_out) continue;
     if (!parts.empty()) parts += kComma.in(language);
-    parts += fmt::format(fmt::runtime(kPart.in(language)), counted(part.used), counted(part.rows), part.name);
+    parts += fmt::format(fmt::runtime(kPart.in(language)), counted(part.used), counted(part.rows),
+                         part.name.in(language));
   }
   if (parts.empty()) return {};
   return fmt::format(fmt::runtime(kAll.in(language)), 100.0 * kMapeFloor, parts);

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "proofmass/core/identification.hpp"
@@ -16,7 +15,7 @@ namespace proofmass {
 class MapeRows {
  public:
   // The scores of a part of the record ("test"). Those of several methods or repeats become one range.
-  void add(std::string_view part, const std::optional<Metrics>& metrics);
+  void add(const Text& part, const std::optional<Metrics>& metrics);
   // "MAPE leaves out outputs below 1 % of their range: it is over 68 of 70 training rows"; empty where it
   // leaves out none.
   [[nodiscard]] std::string text(Language language = Language::en) const;
@@ -28,7 +27,7 @@ class MapeRows {
     void add(std::size_t count);
   };
   struct Part {
-    std::string name;
+    Text name;
     Counts used, rows;
     bool leaves_out = false;
   };

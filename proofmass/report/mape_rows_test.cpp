@@ -13,19 +13,19 @@ Metrics scored(std::size_t rows, std::size_t mape_rows) {
 TEST(MapeRows, NamesThePartsThatLeaveRowsOut) {
   MapeRows rows;
   EXPECT_EQ(rows.text(), "");
-  rows.add("training", scored(70, 70));
-  rows.add("validation", std::nullopt);
+  rows.add(same_text("training"), scored(70, 70));
+  rows.add(same_text("validation"), std::nullopt);
   EXPECT_EQ(rows.text(), "");
-  rows.add("test", scored(30, 29));
+  rows.add(same_text("test"), scored(30, 29));
   EXPECT_EQ(rows.text(), "MAPE leaves out outputs below 1 % of their range: it is over 29 of 30 test rows");
 }
 
 TEST(MapeRows, GivesTheRangeOverMethodsAndRepeats) {
   MapeRows rows;
-  rows.add("training", scored(70, 68));
-  rows.add("test", scored(30, 30));
-  rows.add("training", scored(60, 60));
-  rows.add("test", scored(30, 28));
+  rows.add(same_text("training"), scored(70, 68));
+  rows.add(same_text("test"), scored(30, 30));
+  rows.add(same_text("training"), scored(60, 60));
+  rows.add(same_text("test"), scored(30, 28));
   EXPECT_EQ(
       rows.text(),
       "MAPE leaves out outputs below 1 % of their range: it is over 60 to 68 of 60 to 70 training rows, "
@@ -35,7 +35,7 @@ TEST(MapeRows, GivesTheRangeOverMethodsAndRepeats) {
 // Results of before 0.1.0 say nothing of the rows.
 TEST(MapeRows, PassesOverScoresWithoutThem) {
   MapeRows rows;
-  rows.add("test", scored(30, 0));
+  rows.add(same_text("test"), scored(30, 0));
   EXPECT_EQ(rows.text(), "");
 }
 

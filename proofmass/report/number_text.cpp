@@ -22,6 +22,34 @@ std::string rounded_text(double value, int decimals) {
   return zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
+// How a value, its standard error and its interval are written alike: to two digits of the error, and by a
+// common power of ten where they are very small or large.
+struct Digits {
+  int power = 0;
+  int decimals = 0;
+  [[nodiscard]] std::string text(double value) const {
+    return rounded_text(value / std::pow(10.0, power), decimals);
+  }
+  [[nodiscard]] std::string with_power(const std::string& text) const {
+    if (power == 0) return text;
+    const bool bracketed = text.starts_with('[');
+    return fmt::format("{}{}{}e{:+03d}", bracketed ? "" : "(", text, bracketed ? "" : ")", power);
+  }
+};
+
+// Nothing where the error is none, or so small beside the value that two digits of it need too many.
+std::optional<Digits> digits_of(double value, double standard_error) {
+  constexpr int kLeastDecade = -4;
+  constexpr int kMostDecade = 8;
+  constexpr int kMostDecimals = 12;
+  if (!has_decade(standard_error) || !std::isfinite(value)) return std::nullopt;
+  const int size = decade(std::max(std::abs(value), standard_error));
+  const int power = size < kLeastDecade || size > kMostDecade ? size : 0;
+  const int decimals = 1 - decade(standard_error) + power;
+  if (decimals > kMostDecimals) return std::nullopt;
+  return Digits{.power = power, .decimals = decimals};
+}
+
 }  // namespace
 
 std::string significant_text(double value, int digits) {
@@ -38,18 +66,17 @@ std::string uncertain_text(double value, const std::optional<double>& standard_e
 }
 
 std::string plus_minus_text(double value, double standard_error) {
-  if (!has_decade(standard_error) || !std::isfinite(value))
-    return fmt::format("{:.6g} ± {:.3g}", value, standard_error);
-  constexpr int kLeastDecade = -4;  // smaller and larger ones are read by a common power of ten
-  constexpr int kMostDecade = 8;
-  constexpr int kMostDecimals = 15;
-  const int size = decade(std::max(std::abs(value), standard_error));
-  const int shift = size < kLeastDecade || size > kMostDecade ? size : 0;
-  const int decimals = std::min(1 - decade(standard_error) + shift, kMostDecimals);
-  const double unit = std::pow(10.0, shift);
-  const std::string digits = rounded_text(value / unit, decimals).append(" ± ");
-  const std::string both = digits + rounded_text(standard_error / unit, decimals);
-  return shift == 0 ? both : fmt::format("({})e{:+03d}", both, shift);
+  const auto digits = digits_of(value, standard_error);
+  if (!digits) return fmt::format("{:.6g} ± {:.2g}", value, standard_error);
+  return digits->with_power(digits->text(value).append(" ± ").append(digits->text(standard_error)));
+}
+
+std::string interval_text(double value, double standard_error, double low, double high) {
+  const auto digits = digits_of(value, standard_error);
+  if (!digits)
+    return fmt::format("[{}, {}]", uncertain_text(low, standard_error), uncertain_text(high, standard_error));
+  return digits->with_power(
+      std::string("[").append(digits->text(low)).append(", ").append(digits->text(high)).append("]"));
 }
 
 std::string determination_text(double r2) {

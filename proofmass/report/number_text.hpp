@@ -17,6 +17,9 @@ namespace proofmass {
 // "13.062 ± 0.022", "(1.30617 ± 0.00022)e-05", "-280000 ± 500000": both to two digits of the error.
 [[nodiscard]] std::string plus_minus_text(double value, double standard_error);
 
+// "[13.018, 13.106]", "[1.30573, 1.30661]e-05": the interval of such a value, in the same digits.
+[[nodiscard]] std::string interval_text(double value, double standard_error, double low, double high);
+
 // R², as "0.998712"; where 1 - R² is below 1e-4 as what it lacks of one, "1 - 2.31e-13".
 [[nodiscard]] std::string determination_text(double r2);
 

@@ -15,8 +15,8 @@ struct Prefix {
   std::string_view symbol;
   int exponent;
 };
-constexpr std::array kPrefixes{Prefix{"", 0}, Prefix{"m", -3}, Prefix{"µ", -6}, Prefix{"n", -9},
-                               Prefix{"p", -12}};
+constexpr std::array kPrefixes{Prefix{"M", 6},  Prefix{"k", 3},  Prefix{"", 0},   Prefix{"m", -3},
+                               Prefix{"µ", -6}, Prefix{"n", -9}, Prefix{"p", -12}};
 
 // A declared unit as a prefix and a unit that takes prefixes; the exponent of the prefix.
 struct Parts {
@@ -51,7 +51,8 @@ ShownUnit shown_unit(const Unit& output, double largest) {
     for (const Prefix& prefix : kPrefixes) {
       const double factor = std::pow(kTen, parts.exponent - prefix.exponent);
       const bool last = prefix.exponent == kPrefixes.back().exponent;
-      if (prefix.exponent > std::max(parts.exponent, 0)) continue;
+      // Frequencies alone are spoken of in larger units than the declared one.
+      if (prefix.exponent > std::max(parts.exponent, 0) && parts.base != "Hz") continue;
       if (declared * factor >= kLeast || last)
         return {to_declared * factor, std::string(prefix.symbol) + parts.base};
     }

@@ -23,7 +23,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 std::size_t exponent_at(std::string_view text, std::size_t k) {
   if (text[k] != 'e' || k == 0) return 0;
   const char before = text[k - 1];
-  if (!is_digit(before) && before != '.' && before != ')') return 0;
+  if (!is_digit(before) && before != '.' && before != ')' && before != ']') return 0;
   std::size_t end = k + 1;
   if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
   const std::size_t digits = end;

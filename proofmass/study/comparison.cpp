@@ -131,4 +131,21 @@ TruthScore score_against(const StaticModel& truth, std::span<const Run> runs,
   return score;
 }
 
+std::vector<Occurrence> occurrences(const Contestant& contestant, Severity severity) {
+  std::vector<Occurrence> said;
+  for (const Run& run : contestant.runs) {
+    for (const Finding& finding : run.identification.findings) {
+      if (finding.severity != severity) continue;
+      const auto same = [&finding](const Occurrence& other) {
+        return other.finding.code == finding.code && other.finding.terms == finding.terms &&
+               (finding.code != Code::verbatim || other.finding == finding);
+      };
+      auto known = std::find_if(said.begin(), said.end(), same);
+      if (known == said.end()) known = said.insert(said.end(), {.finding = finding});
+      ++known->repeats;
+    }
+  }
+  return said;
+}
+
 }  // namespace proofmass

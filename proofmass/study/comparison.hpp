@@ -69,6 +69,16 @@ struct CostRatios {
 };
 [[nodiscard]] CostRatios ratios_to(const Contestant& reference, const Contestant& contestant);
 
+// A finding on a method, and in how many repeats it was made.
+struct Occurrence {
+  Finding finding;  // as first made
+  std::size_t repeats = 0;
+};
+
+// Of one severity, in the order in which they were first made. Those of one code and terms are the same,
+// whatever their figures.
+[[nodiscard]] std::vector<Occurrence> occurrences(const Contestant& contestant, Severity severity);
+
 // Fills the summary of a contestant from its runs and times.
 void summarise(Contestant& contestant);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -69,7 +70,7 @@ std::string hash_of(const fs::path& path) {
 
 // The record given must be the one that the result was made from.
 fs::path given_record(const ReportFlags& flags, const Run& run) {
-  if (!is_file(flags.record)) throw usage_error(message("cannot open '{}': no such file", flags.record));
+  if (!is_file(flags.record)) throw cannot_open(flags.record, ENOENT);
   const std::string hash = hash_of(flags.record);
   if (hash != run.provenance.input_sha256) {
     throw Error(
@@ -106,7 +107,9 @@ std::optional<RecordFigures> read_figures(const fs::path& place, const Run& run,
   ConsoleProgress progress(flags.common.quiet);
   const Dataset record = read_record(place, read_options(flags_of(run.provenance), flags.common), progress);
   progress.clear();
-  return record_figures(record, split_again(record, run), run.identification);
+  const Split split = split_again(record, run);
+  require_own_scores(record, split, run);
+  return record_figures(record, split, run.identification);
 }
 
 void run_report(const ReportFlags& flags) {

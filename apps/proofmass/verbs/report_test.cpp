@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "proofmass/identify/method.hpp"
 #include "support/command_line.hpp"
@@ -59,7 +60,20 @@ TEST_F(ReportVerb, SaysWhyFiguresOfRowsAreAbsent) {
   EXPECT_EQ(changed.exit_code, 0) << changed.err;
   EXPECT_NE(changed.err.find("has changed since"), std::string::npos);
   expect_failure(report({"--record", record}), 3, {"is not the record", "SHA-256"});
-  expect_failure(report({"--record", at("none.csv")}), 2, {"none.csv"});
+  expect_failure(report({"--record", at("none.csv")}), 3, {"none.csv"});
+}
+
+// Coefficients that were changed by hand do not have the errors that the result says.
+TEST_F(ReportVerb, RefusesCoefficientsThatAreNotThoseOfTheScores) {
+  make_result();
+  auto changed = nlohmann::json::parse(read("result.json"));
+  for (auto& coefficient : changed["coefficients"]) {
+    if (coefficient["name"] != "Ki") continue;
+    coefficient["value"] = 1.01;
+    coefficient["ci95"] = {1.0, 1.02};
+  }
+  write("result.json", changed.dump());
+  expect_failure(report(), 3, {"training error", "the result file was changed"});
 }
 
 TEST_F(ReportVerb, NeverDestroysWhatItReads) {

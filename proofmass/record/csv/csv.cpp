@@ -217,7 +217,7 @@ Dataset read_record(const std::filesystem::path& path, const ReadOptions& option
   declare_units(record, format.placed);
   settle_optional_columns(record, block.notes);
   settle_decimals(record, format, block.notes, options);
-  record.ignored = ignored_columns(format.header, format.placed);
+  record.ignored = ignored_columns(format.header, options, format.placed);
   add_reading_findings(record, chunks, preamble, format, block.notes);
   record.source_sha256 = chunks.sha256();
   return record;

@@ -281,11 +281,15 @@ bool has_column(const Header& header, Column column, const ReadOptions& options)
   });
 }
 
-std::vector<IgnoredColumn> ignored_columns(const Header& header, const std::vector<PlacedColumn>& placed) {
+std::vector<IgnoredColumn> ignored_columns(const Header& header, const ReadOptions& options,
+                                           const std::vector<PlacedColumn>& placed) {
   std::vector<IgnoredColumn> ignored;
   for (std::size_t k = 0; k < header.cells.size(); ++k) {
     const auto is_here = [k](const PlacedColumn& column) { return column.index == k; };
     if (std::any_of(placed.begin(), placed.end(), is_here)) continue;
+    const auto column = find_column(header.cells[k].name);
+    // Where no output is asked for, a record may have one all the same.
+    if (!options.require_output && (column == Column::E || column == Column::sigma_E)) continue;
     ignored.push_back({.header = header.cells[k].text, .nearest = name_meant(header.cells[k].name)});
   }
   return ignored;

@@ -30,7 +30,7 @@ struct PlacedColumn {
 [[nodiscard]] bool has_column(const Header& header, Column column, const ReadOptions& options);
 
 // Columns of a header that are not placed, and the name of Proofmass's that each looks like a slip of.
-[[nodiscard]] std::vector<IgnoredColumn> ignored_columns(const Header& header,
+[[nodiscard]] std::vector<IgnoredColumn> ignored_columns(const Header& header, const ReadOptions& options,
                                                          const std::vector<PlacedColumn>& placed);
 
 // Finds Proofmass's columns in a header, by name or as renamed. Unknown columns are ignored, and so are

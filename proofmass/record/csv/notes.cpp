@@ -131,7 +131,10 @@ void add_ignored_columns(Dataset& record) {
   std::string names;
   for (std::size_t k = 0; k < std::min(record.ignored.size(), kMostNamed); ++k) {
     const IgnoredColumn& column = record.ignored[k];
-    names.append(k == 0 ? "" : ", ").append(column.header.empty() ? "\"\"" : excerpt(column.header));
+    // In quotes where it would not be seen where the name ends.
+    const bool plain = !column.header.empty() && column.header.find_first_of(" ,;\"") == std::string::npos;
+    const std::string name = excerpt(column.header);
+    names.append(k == 0 ? "" : ", ").append(plain ? name : "'" + name + "'");
     if (!column.nearest.empty()) names.append(" (").append(column.nearest).append("?)");
   }
   if (record.ignored.size() > kMostNamed) names.append(", …");

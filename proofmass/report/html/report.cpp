@@ -35,7 +35,7 @@ std::string render_report(const Reproduction& made, const ReportStyle& style) {
   const html::Page page{.title = text_of(Label::reproduction),
                         .subject = made.twin,
                         .version = std::string(version()),
-                        .sections = html::reproduction_sections(made, interactive)};
+                        .sections = html::reproduction_sections(made, interactive, style.date)};
   return html::render(page, interactive, style);
 }
 

@@ -116,8 +116,7 @@ std::string table_3(const Reproduction& made, Language language) {
                        significant_text(c.test->rmse.mean, 4), spread_of_optional(c.test->mape_percent, 4),
                        c.test->r2 ? determination_text(c.test->r2->mean) : "-", mse_text(c.train),
                        spread_of_optional(c.iterations, 5), significant_text(c.time.mean, 3));
-    for (const Run& run : c.runs)
-      mape_rows.add(reproduction_words::kTestPart.in(language), run.identification.test);
+    for (const Run& run : c.runs) mape_rows.add(reproduction_words::kTestPart, run.identification.test);
   }
   if (const std::string text = mape_rows.text(language); !text.empty())
     out += with_figures(reproduction_words::kSentence, language, text);

@@ -26,7 +26,8 @@ std::vector<Series> by_step(const std::vector<Curve>& curves) {
                .x = {},
                .y = curve.values,
                .mark = kMarks.at(series.size() % kMarks.size()),
-               .colour = series.size()};
+               .colour = series.size(),
+               .key = curve.name};
     for (std::size_t k = 0; k < curve.values.size(); ++k) one.x.push_back(static_cast<double>(k + 1));
     series.push_back(std::move(one));
   }
@@ -99,7 +100,7 @@ std::vector<PaperFigure> figures_of(const Reproduction& made) {
 std::string figure_csv(const Chart& chart) {
   std::string out = "series,x,y\n";
   for (const Series& series : chart.series) {
-    std::string name = series.name.en;
+    std::string name = series.key.empty() ? series.name.en : series.key;
     std::replace(name.begin(), name.end(), ',', ';');
     for (std::size_t k = 0; k < series.y.size(); ++k) {
       out += fmt::format("{},{},{}\n", name, series.x[k], series.y[k]);

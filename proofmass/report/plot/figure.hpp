@@ -28,6 +28,7 @@ struct Series {
   std::size_t colour = 0;         // of the palette
   std::vector<double> high{};     // of a band
   std::vector<double> whisker{};  // half the length of a bar of uncertainty at each point
+  std::string key{};              // its name in files of data; empty: the English one
 };
 
 // A series of no more points than these is drawn with larger ones.

@@ -28,10 +28,39 @@ std::string stroke_of(const Series& s) {
   return fmt::format("{}{} s{}", class_of(s.mark), few ? " few" : "", s.colour);
 }
 
+constexpr double kSample = 22.0, kGap = 14.0;  // of a legend
+constexpr double kLegendTop = 43.0, kLegendLine = 20.0, kLegendEdge = 6.0;
+
+double legend_width(const Series& s) {
+  const auto columns = static_cast<double>(std::max(display_width(s.name.en), display_width(s.name.zh)));
+  return s.name.en.empty() ? 0.0 : kSample + 4.0 + kSvgColumn * columns + kGap;
+}
+
+double legend_start(const Chart& chart) {
+  double width = 0.0;
+  for (const Series& s : chart.series) width += legend_width(s);
+  return std::clamp(kSvgWidth - width, kLegendEdge, SvgFrame().left);
+}
+
+// Lower where the legend has more lines than one.
+SvgFrame frame_of(const Chart& chart) {
+  SvgFrame frame;
+  double at = legend_start(chart);
+  for (const Series& s : chart.series) {
+    if (at + legend_width(s) > kSvgWidth && at > legend_start(chart)) {
+      at = legend_start(chart);
+      frame.top += kLegendLine;
+    }
+    at += legend_width(s);
+  }
+  return frame;
+}
+
 class ChartDrawing {
  public:
   ChartDrawing(const Chart& chart, const SvgUse& use)
       : chart_(chart),
+        frame_(frame_of(chart)),
         canvas_(kSvgWidth, kSvgHeight, use),
         x_(frame_.left, frame_.right, chart.x.log),
         y_(frame_.bottom, frame_.top, chart.y.log) {
@@ -185,27 +214,22 @@ class ChartDrawing {
     }
   }
 
-  static constexpr double kSample = 22.0, kGap = 14.0;  // of a legend
-
-  static double legend_width(const Series& s) {
-    const auto columns = static_cast<double>(std::max(display_width(s.name.en), display_width(s.name.zh)));
-    return s.name.en.empty() ? 0.0 : kSample + 4.0 + kSvgColumn * columns + kGap;
-  }
-
-  // In a line of its own above the data, which begins further left where it is long.
+  // Above the data; begins further left where it is long, and goes on in further lines.
   void draw_legend() {
-    double width = 0.0;
-    for (const Series& s : chart_.series) width += legend_width(s);
-    double at = std::clamp(kSvgWidth - width, 6.0, frame_.left);
+    double at = legend_start(chart_);
+    double y = kLegendTop;
     for (const Series& s : chart_.series) {
       if (s.name.en.empty()) continue;
-      draw_entry(s, at);
+      if (at + legend_width(s) > kSvgWidth && at > legend_start(chart_)) {
+        at = legend_start(chart_);
+        y += kLegendLine;
+      }
+      draw_entry(s, at, y);
       at += legend_width(s);
     }
   }
 
-  void draw_entry(const Series& s, double at) {
-    const double y = 43.0;
+  void draw_entry(const Series& s, double at, double y) {
     const std::string stroke = stroke_of(s);
     const bool dot = s.mark == Mark::points || s.mark == Mark::squares;
     canvas_.raw("<g transform=\"scale(.5)\">");

@@ -82,8 +82,8 @@ void write_mape_rows(TerminalText& out, const Comparison& comparison) {
   MapeRows rows;
   for (const Contestant& c : comparison.contestants) {
     for (const Run& run : c.runs) {
-      rows.add(out.in(words(Label::train)), run.identification.train);
-      rows.add(out.in(words(Label::test)), run.identification.test);
+      rows.add(words(Label::train), run.identification.train);
+      rows.add(words(Label::test), run.identification.test);
     }
   }
   if (const std::string text = rows.text(out.language()); !text.empty()) out.line(text);
@@ -149,12 +149,6 @@ void write_truth(TerminalText& out, const Comparison& comparison) {
   out.table(table);
 }
 
-// A finding, with the figures of the first repeat that has it, and in how many repeats it occurs.
-struct Occurrence {
-  Finding finding;
-  std::size_t repeats = 0;
-};
-
 Words heading_of(Severity severity) {
   switch (severity) {
     case Severity::warning:
@@ -168,19 +162,7 @@ Words heading_of(Severity severity) {
 }
 
 void write_method_findings(TerminalText& out, const Contestant& contestant, Severity severity) {
-  std::vector<Occurrence> said;
-  for (const Run& run : contestant.runs) {
-    for (const Finding& finding : run.identification.findings) {
-      if (finding.severity != severity) continue;
-      const auto same = [&finding](const Occurrence& other) {
-        return other.finding.code == finding.code && other.finding.terms == finding.terms &&
-               (finding.code != Code::verbatim || other.finding == finding);
-      };
-      auto known = std::find_if(said.begin(), said.end(), same);
-      if (known == said.end()) known = said.insert(said.end(), {.finding = finding});
-      ++known->repeats;
-    }
-  }
+  const std::vector<Occurrence> said = occurrences(contestant, severity);
   if (said.empty()) return;
   out.heading(with_figures(heading_of(severity), out.language(), contestant.method));
   for (const Occurrence& occurrence : said) {

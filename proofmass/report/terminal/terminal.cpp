@@ -66,17 +66,17 @@ void write_coefficients(TerminalText& out, std::span<const Coefficient> coeffici
     if (!c.identified) {
       const std::string why = c.reason ? reason(*c.reason, out.language()) : "";
       out.warning(
-          with_figures({"  {} not identified: {}", "  {} 不可辨识：{}"}, out.language(), name(c.term), why));
+          with_figures({"  {} not identified: {}", "  {} 未辨识：{}"}, out.language(), name(c.term), why));
     }
   }
 }
 
 void write_mape_rows(TerminalText& out, const Identification& result) {
   MapeRows rows;
-  rows.add(out.in(words(Label::train)), result.train);
-  rows.add(out.in(words(Label::validation)), result.validation);
-  rows.add(out.in(words(Label::test)), result.test);
-  rows.add(out.in({"left-out", "留一法"}), result.leave_one_out);
+  rows.add(words(Label::train), result.train);
+  rows.add(words(Label::validation), result.validation);
+  rows.add(words(Label::test), result.test);
+  rows.add(Words{"left-out", "留一法"}, result.leave_one_out);
   if (const std::string text = rows.text(out.language()); !text.empty()) out.line(text);
 }
 

@@ -193,7 +193,7 @@ Identification full_result(const char* unit) {
 TEST(Terminal, SpeaksChinese) {
   const std::string text = render_table(full_result("mA"), {.language = Language::zh});
   for (const char* const part :
-       {"ols，模型 quadratic，随机种子 ", "警告：2 行偏离拟合过远", "标准误差", "Koq 不可辨识：与 Kii 混叠",
+       {"ols，模型 quadratic，随机种子 ", "警告：2 行偏离拟合过远", "标准误差", "Koq 未辨识：与 Kii 混叠",
         "折算到输入（除以 Ki）", "误差，单位 mA", "训练集", "留一法", "MAPE 不计小于输出范围 1 % 的输出",
         "可疑行：12，以下为前 10 行", "行号", "终止：直接求解", "由双倍工作精度的正规方程直接求解：70 行数据",
         "残差标准差 1e-06 mA；自由度 66；调整 R²", "依据：全部数据行均参与拟合", "依据：标准误差为渐近值",
@@ -288,6 +288,11 @@ TEST(NumberText, ShowsTheDigitsThatMeanSomething) {
   EXPECT_EQ(uncertain_text(0.0, 0.1), "0");
   EXPECT_EQ(plus_minus_text(13.0617, 0.0224), "13.062 ± 0.022");
   EXPECT_EQ(plus_minus_text(1234.5, 67.0), "1234 ± 67");
+  EXPECT_EQ(plus_minus_text(2.5, 3e-17), "2.5 ± 3e-17");
+  EXPECT_EQ(plus_minus_text(1e-5, 1e-22), "1e-05 ± 1e-22");
+  EXPECT_EQ(plus_minus_text(0.0, 0.0), "0 ± 0");
+  EXPECT_EQ(interval_text(1.30617e-5, 2.2e-9, 1.30573e-5, 1.30661e-5), "[1.30573, 1.30661]e-05");
+  EXPECT_EQ(interval_text(-282554.0, 501423.0, -1285400.0, 720292.0), "[-1290000, 720000]");
   EXPECT_EQ(plus_minus_text(-0.3, 12.0), "0 ± 12");
   EXPECT_EQ(plus_minus_text(-282554.0, 501423.0), "-280000 ± 500000");
   EXPECT_EQ(plus_minus_text(1.30617e-5, 2.2e-9), "(1.30617 ± 0.00022)e-05");

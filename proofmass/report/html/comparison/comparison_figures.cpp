@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "proofmass/report/html/comparison/comparison_page.hpp"
 #include "proofmass/report/html/page/html.hpp"
-#include "proofmass/report/shown_unit.hpp"
 #include "proofmass/report/text/names.hpp"
 #include "proofmass/report/typography.hpp"
 #include "proofmass/study/deviations.hpp"
@@ -33,7 +34,6 @@ std::vector<double> test_errors(const Contestant& contestant) {
 }
 
 ErrorAxis error_axis(const Comparison& comparison) {
-  const Unit& output = comparison.contestants.front().runs.front().identification.output_unit;
   double least = std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (const Contestant& contestant : comparison.contestants) {
@@ -42,11 +42,15 @@ ErrorAxis error_axis(const Comparison& comparison) {
       largest = std::max(largest, error);
     }
   }
-  ShownUnit unit = shown_unit(output, largest * output.to_canonical);
-  unit.factor *= output.to_canonical;
-  return {.unit = unit,
-          .axis = {.label = text_of(Label::test_rmse, {{"unit", unit.symbol}}),
-                   .log = largest > kLogRatio * least}};
+  ShownUnit unit = error_unit(comparison);
+  ChartAxis axis{.label = text_of(Label::test_rmse, {{"unit", unit.symbol}}),
+                 .log = largest > kLogRatio * least};
+  return {.unit = std::move(unit), .axis = std::move(axis)};
+}
+
+// Twelve methods differ in mark or colour.
+Mark mark_of(std::size_t method) {
+  return (method + method / kColours) % 2 == 0 ? Mark::points : Mark::squares;
 }
 
 std::string in_grid(const std::string& figures) { return element("div", figures, "class=\"figures\""); }
@@ -71,7 +75,7 @@ std::string deviation_figure(const Comparison& comparison, InteractiveFigures& i
     Series series{.name = entry_name(found.methods[m]),
                   .x = {},
                   .y = found.in_errors[m],
-                  .mark = m % 2 == 0 ? Mark::points : Mark::squares,
+                  .mark = mark_of(m),
                   .colour = m % kColours};
     const double shift = 0.6 * ((static_cast<double>(m) + 0.5) / methods - 0.5);
     for (std::size_t k = 0; k < series.y.size(); ++k) series.x.push_back(static_cast<double>(k) + shift);
@@ -117,7 +121,7 @@ std::string time_figure(const Comparison& comparison, InteractiveFigures& intera
     chart.series.push_back({.name = same_text(contestant.method),
                             .x = contestant.seconds,
                             .y = scaled(errors, shown.unit.factor),
-                            .mark = chart.series.size() % 2 == 0 ? Mark::points : Mark::squares,
+                            .mark = mark_of(chart.series.size()),
                             .colour = chart.series.size() % kColours});
   }
   return chart.series.empty() ? std::string() : in_grid(figure(chart, interactive));

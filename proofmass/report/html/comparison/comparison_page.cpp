@@ -2,13 +2,13 @@
 #include "proofmass/report/html/comparison/comparison_page.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "proofmass/report/html/comparison/comparison_figures.hpp"
 #include "proofmass/report/html/page/findings.hpp"
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/page/provenance.hpp"
+#include "proofmass/report/mape_rows.hpp"
+#include "proofmass/report/readable_units.hpp"
 #include "proofmass/report/shown_unit.hpp"
 #include "proofmass/report/terminal/terminal_words.hpp"
 #include "proofmass/report/typography.hpp"
@@ -17,42 +17,39 @@ namespace proofmass::html {
 namespace {
 
 Section findings_of_methods(const Comparison& comparison) {
-  std::string body = paragraph(text_of(Label::comparison_text, {{"methods", comparison.contestants.size()},
-                                                                {"input", comparison.input},
-                                                                {"repeats", comparison.repeats},
-                                                                {"fraction", comparison.training_fraction}}));
+  const Label how = comparison.repeats == 1 ? Label::comparison_text_once : Label::comparison_text;
+  std::string body = paragraph(text_of(how, {{"methods", comparison.contestants.size()},
+                                             {"input", comparison.input},
+                                             {"repeats", comparison.repeats},
+                                             {"fraction", comparison.training_fraction}}));
   for (const Finding& one : comparison.findings) body += finding(one);
   for (const Contestant& contestant : comparison.contestants) {
     std::string found;
-    for (const Finding& one : first_result(contestant).findings)
-      if (one.severity != Severity::basis) found += finding(one);
+    for (const Severity severity : {Severity::warning, Severity::note, Severity::basis}) {
+      for (const Occurrence& one : occurrences(contestant, severity)) {
+        const bool always = one.repeats == contestant.runs.size();
+        const std::vector<Figure> counts{{"count", one.repeats}, {"total", contestant.runs.size()}};
+        found += finding(one.finding, always ? Text() : text_of(Label::in_repeats, counts));
+      }
+    }
     if (!found.empty()) body += element("h3", escaped(contestant.method)) + found;
   }
   return {.id = "findings", .title = Label::findings, .body = body, .short_ = true};
 }
 
-// Of the errors, the unit that suits the least; from the declared one.
-ShownUnit error_unit(const Comparison& comparison) {
-  const Unit& output = first_result(comparison.contestants.front()).output_unit;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Contestant& c : comparison.contestants)
-    for (const auto& part : {c.train, c.test})
-      if (part && part->rmse.mean > 0.0) least = std::min(least, part->rmse.mean);
-  ShownUnit unit = shown_unit(output, std::isfinite(least) ? least * output.to_canonical : 1.0);
-  unit.factor *= output.to_canonical;
-  return unit;
-}
-
 std::string truth_table(const Comparison& comparison) {
+  const Unit& output = first_result(comparison.contestants.front()).output_unit;
   Table table(text_of(Label::distance_truth), {{text_of(Label::method), Align::left},
                                                {text_of(Label::rms_error)},
                                                {text_of(Label::rms_bound)},
                                                {text_of(Label::largest_error)},
+                                               {text_of(Label::unit), Align::left},
                                                {text_of(Label::term), Align::left}});
   for (const Contestant& c : comparison.contestants) {
     if (!c.truth) continue;
     table.add({escaped(c.method), number_cell(c.truth->rms_over_standard_error),
                number_cell(c.truth->rms_over_bound), number_cell(c.truth->largest_error),
+               escaped(typeset_unit(coefficient_unit(c.truth->largest_term, output))),
                escaped(name(c.truth->largest_term))});
   }
   return table.empty() ? std::string() : table.html();
@@ -74,12 +71,19 @@ std::string scores_table(const Comparison& comparison) {
       if (!m) return;
       table.add({escaped(c.method), both(text_of(part)), plus_minus_cell(m->rmse, unit.factor),
                  plus_minus_cell(m->mae, unit.factor), plus_minus_cell(m->mse, unit.factor * unit.factor),
-                 spread_cell(m->mape_percent, 3), determination_cell(m->r2)});
+                 plus_minus_cell(m->mape_percent), determination_cell(m->r2)});
     };
     add(Label::train, c.train);
     add(Label::test, c.test);
   }
-  return table.html() + paragraph(text_of(Label::mape_note));
+  MapeRows rows;
+  for (const Contestant& c : comparison.contestants) {
+    for (const Run& run : c.runs) {
+      rows.add(text_of(Label::train), run.identification.train);
+      rows.add(text_of(Label::test), run.identification.test);
+    }
+  }
+  return table.html() + paragraph({rows.text(Language::en), rows.text(Language::zh)});
 }
 
 // "iteration limit"

@@ -9,6 +9,7 @@
 
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/page/section.hpp"
+#include "proofmass/report/shown_unit.hpp"
 #include "proofmass/study/comparison.hpp"
 
 namespace proofmass::html {
@@ -25,6 +26,9 @@ namespace proofmass::html {
                                              const StaticModel* truth, const Text& truth_name,
                                              Table::Caption shown = Table::Caption::shown);
 
+// The unit that suits the least of the methods' errors; its factor is from the declared unit.
+[[nodiscard]] ShownUnit error_unit(const Comparison& comparison);
+
 // The first run's results.
 [[nodiscard]] const Identification& first_result(const Contestant& contestant);
 
@@ -33,6 +37,7 @@ namespace proofmass::html {
 [[nodiscard]] std::string spread_cell(const std::optional<Spread>& spread, int digits);
 // With the same decimals for both, "2.704 ± 0.011", in another unit: times a factor.
 [[nodiscard]] std::string plus_minus_cell(const Spread& spread, double factor = 1.0);
+[[nodiscard]] std::string plus_minus_cell(const std::optional<Spread>& spread);
 [[nodiscard]] std::string number_cell(const std::optional<double>& value, int digits = 3);
 [[nodiscard]] std::string count_cell(double count);
 [[nodiscard]] std::string count_cell(const std::optional<Spread>& count);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "proofmass/report/coefficient_text.hpp"
 #include "proofmass/report/html/comparison/comparison_page.hpp"
 #include "proofmass/report/number_text.hpp"
@@ -53,6 +57,18 @@ std::string coefficients_table(const Text& caption, std::span<const Term> terms,
   return table.html();
 }
 
+ShownUnit error_unit(const Comparison& comparison) {
+  const Unit& output = first_result(comparison.contestants.front()).output_unit;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Contestant& c : comparison.contestants)
+    for (const auto& part : {c.train, c.test})
+      if (part && part->rmse.mean > 0.0) least = std::min(least, part->rmse.mean);
+  ShownUnit unit =
+      shown_unit(output, std::isfinite(least) ? least * output.to_canonical : output.to_canonical);
+  unit.factor *= output.to_canonical;
+  return unit;
+}
+
 std::string spread_cell(const Spread& spread, int digits) {
   const std::string mean = in_print(significant_text(spread.mean, digits));
   return spread.sd ? fmt::format("{} ± {}", mean, in_print(significant_text(*spread.sd, 2))) : mean;
@@ -66,6 +82,10 @@ std::string plus_minus_cell(const Spread& spread, double factor) {
   constexpr int kDigits = 5;
   if (!spread.sd) return in_print(significant_text(factor * spread.mean, kDigits));
   return in_print(plus_minus_text(factor * spread.mean, factor * *spread.sd));
+}
+
+std::string plus_minus_cell(const std::optional<Spread>& spread) {
+  return spread ? plus_minus_cell(*spread) : "–";
 }
 
 std::string number_cell(const std::optional<double>& value, int digits) {

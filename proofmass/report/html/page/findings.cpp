@@ -104,17 +104,17 @@ std::string_view figure_of(const Finding& finding) {
   }
 }
 
-std::string finding(const Finding& found) {
+std::string finding(const Finding& found, const Text& more) {
   const auto words = [&](Language language) {
     const std::string said = sentence(found, language);
-    return has_name_like_a_number(found) ? said : typeset(said);
+    return (has_name_like_a_number(found) ? said : typeset(said)) + more.in(language);
   };
   const Text text{words(Language::en), words(Language::zh)};
   const std::string kind = found.severity == Severity::warning ? "finding warning" : "finding";
-  return element(
-      "div",
-      fmt::format("<strong>{}</strong>: {}", both(text_of(severity_label(found.severity))), both(text)),
-      fmt::format("class=\"{}\"", kind));
+  return element("div",
+                 fmt::format("<strong>{}</strong>{}{}", both(text_of(severity_label(found.severity))),
+                             both({": ", "："}), both(text)),
+                 fmt::format("class=\"{}\"", kind));
 }
 
 std::string findings_of(std::span<const Finding> all, std::string_view figure) {

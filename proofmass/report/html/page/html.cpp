@@ -14,6 +14,8 @@ std::string escaped(std::string_view text) { return xml_escaped(text); }
 
 std::string in_print(std::string_view text) { return escaped(typeset_unit(typeset(text))); }
 
+Text in_print(const Text& text) { return {typeset(text.en), typeset(text.zh)}; }
+
 std::string both(const Text& text) {
   if (text.en == text.zh) return escaped(text.en);
   return fmt::format("<span lang=\"en\">{}</span><span lang=\"zh\">{}</span>", escaped(text.en),
@@ -24,7 +26,10 @@ std::string element(std::string_view tag, std::string_view content, std::string_
   return fmt::format("<{0}{1}{2}>{3}</{0}>\n", tag, attributes.empty() ? "" : " ", attributes, content);
 }
 
-std::string paragraph(const Text& text) { return element("p", both(text)); }
+std::string paragraph(const Text& text) {
+  if (text.en.empty()) return {};
+  return element("p", both(text));
+}
 
 std::string Table::html() const {
   std::string head;

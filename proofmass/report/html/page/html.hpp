@@ -16,13 +16,16 @@ namespace proofmass::html {
 // Text with numbers and units as the program writes them, as printed: true minus signs, raised powers.
 [[nodiscard]] std::string in_print(std::string_view text);
 
+// Text in every language with its numbers as printed; not escaped yet.
+[[nodiscard]] Text in_print(const Text& text);
+
 // The text in every language, of which the page shows the one that is chosen.
 [[nodiscard]] std::string both(const Text& text);
 
 // <tag>content</tag>; the content is HTML.
 [[nodiscard]] std::string element(std::string_view tag, std::string_view content,
                                   std::string_view attributes = "");
-[[nodiscard]] std::string paragraph(const Text& text);
+[[nodiscard]] std::string paragraph(const Text& text);  // none where there is no text
 
 enum class Align : std::uint8_t { left, right, reading };  // a reading: left, in one line
 

@@ -4,13 +4,14 @@
 
 #include <string>
 
+#include "proofmass/core/dataset.hpp"
 #include "proofmass/core/run.hpp"
 #include "proofmass/report/html/page/html.hpp"
 
 namespace proofmass::html {
 
-// The record, its hash, how many rows went where, units and ranges.
-void add_record(Definitions& about, const Run& run);
+// The record, its hash, how many rows went where, units and ranges. `record`: null where it is not at hand.
+void add_record(Definitions& about, const Run& run, const Dataset* record = nullptr);
 
 // Seed, version and the report's date; the date is left out when it is empty.
 void add_origin(Definitions& about, const Run& run, const std::string& date);

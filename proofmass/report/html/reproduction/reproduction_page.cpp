@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "proofmass/core/version.hpp"
 #include "proofmass/report/html/comparison/comparison_page.hpp"
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/number_text.hpp"
@@ -68,7 +69,7 @@ Section table_3(const Reproduction& made) {
               Table::Caption::hidden);
   for (std::size_t k = 0; k < made.networks.contestants.size(); ++k) {
     const Contestant& c = made.networks.contestants[k];
-    const std::string paper = k < kPaperTestMse.size() ? number_cell(kPaperTestMse.at(k), 4) : "–";
+    const std::string paper = k < kPaperTestMse.size() ? number_cell(kPaperTestMse.at(k), 5) : "–";
     table.add({both(entry_name(c.method)), paper, spread_cell(c.test->mse, 4),
                number_cell(c.test->mae.mean, 4), number_cell(c.test->rmse.mean, 4),
                c.test->mape_percent ? number_cell(c.test->mape_percent->mean, 4) : "–",
@@ -116,32 +117,39 @@ Section gains(const Reproduction& made) {
 
 Section figures(const Reproduction& made, InteractiveFigures& interactive) {
   std::string drawn;
-  for (const PaperFigure& one : figures_of(made)) drawn += figure(one.chart, interactive);
+  std::size_t number = 4;  // as in the paper
+  std::vector<PaperFigure> all = figures_of(made);
+  for (PaperFigure& one : all) {
+    const Text before = text_of(Label::figure_number, {{"number", number++}});
+    one.chart.title = {before.en + one.chart.title.en, before.zh + one.chart.title.zh};
+    drawn += figure(one.chart, interactive);
+  }
   return {.id = "figures", .title = Label::paper_figures, .body = element("div", drawn, "class=\"figures\"")};
 }
 
-Section about(const Reproduction& made) {
+Section about(const Reproduction& made, const std::string& date) {
   const Text twin = text_of(Label::paper_intro, {{"twin", made.twin},
                                                  {"rows", made.rows},
                                                  {"noise", made.sigma * 1e6},
                                                  {"seed", static_cast<double>(made.seed)}});
+  Definitions origin;
+  origin.add(text_of(Label::seed), std::to_string(made.seed));
+  origin.add(text_of(Label::version), escaped(version()));
+  if (!date.empty()) origin.add(text_of(Label::date), escaped(date));
   return {.id = "about",
           .title = Label::reproduction,
           .body = paragraph(text_of(Label::the_paper, {{"citation", std::string(kPaperCitation)}})) +
-                  paragraph(twin),
+                  paragraph(twin) + origin.html(),
           .short_ = true};
 }
 
 }  // namespace
 
-std::vector<Section> reproduction_sections(const Reproduction& made, InteractiveFigures& interactive) {
-  return {about(made),
-          table_1(made),
-          table_2(made),
-          table_3(made),
-          iterations(made),
-          gains(made),
-          figures(made, interactive)};
+std::vector<Section> reproduction_sections(const Reproduction& made, InteractiveFigures& interactive,
+                                           const std::string& date) {
+  return {
+      about(made, date),         table_1(made), table_2(made), table_3(made), iterations(made), gains(made),
+      figures(made, interactive)};
 }
 
 }  // namespace proofmass::html

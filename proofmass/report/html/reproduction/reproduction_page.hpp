@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "proofmass/report/html/page/section.hpp"
@@ -10,6 +11,7 @@ namespace proofmass::html {
 
 // The paper's tables in its layout beside ours, and its figures.
 [[nodiscard]] std::vector<Section> reproduction_sections(const Reproduction& made,
-                                                         InteractiveFigures& interactive);
+                                                         InteractiveFigures& interactive,
+                                                         const std::string& date);
 
 }  // namespace proofmass::html

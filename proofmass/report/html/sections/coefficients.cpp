@@ -73,7 +73,7 @@ std::string refused(std::span<const Coefficient> coefficients) {
     if (c.identified) continue;
     const Text why =
         c.reason ? Text{reason(*c.reason, Language::en), reason(*c.reason, Language::zh)} : Text();
-    made.add({escaped(name(c.term)), both(why)});
+    made.add({escaped(name(c.term)), both(in_print(why))});
   }
   return made.empty() ? std::string() : made.html();
 }

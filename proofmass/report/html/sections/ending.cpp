@@ -12,6 +12,31 @@
 namespace proofmass::html {
 namespace {
 
+// What the method tells beside that.
+void add_details(Definitions& figures, const Identification& result) {
+  const auto output = [&](Label label, double value) {
+    figures.add(text_of(label), in_print(significant_text(to_declared(value, result.output_unit), 5)) + " " +
+                                    escaped(typeset_unit(result.output_unit.symbol)));
+  };
+  const auto count = [&](Label label, std::size_t number) {
+    figures.add(text_of(label), std::to_string(number));
+  };
+  if (const auto* network = std::get_if<NetworkDetails>(&result.details)) {
+    if (network->saturated_fraction)
+      figures.add(text_of(Label::saturated_fraction),
+                  in_print(significant_text(*network->saturated_fraction, 3)));
+    if (network->induced_deviation) output(Label::induced_deviation, *network->induced_deviation);
+    count(Label::training_epochs, network->training_epochs);
+    if (network->swarm_evaluations) count(Label::swarm_evaluations, *network->swarm_evaluations);
+  } else if (const auto* robust = std::get_if<RobustDetails>(&result.details)) {
+    output(Label::robust_scale, robust->scale);
+  } else if (const auto* gmdh = std::get_if<GmdhDetails>(&result.details)) {
+    count(Label::models_tried, gmdh->models_tried);
+  } else if (const auto* afsa = std::get_if<AfsaDetails>(&result.details)) {
+    count(Label::swarm_evaluations, afsa->swarm_evaluations);
+  }
+}
+
 std::optional<Section> ending_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   const Diagnostics& d = result.diagnostics;
@@ -32,6 +57,7 @@ std::optional<Section> ending_section(const IdentificationContext& context) {
   number(Label::condition, d.condition_raw);
   number(Label::condition_scaled, d.condition_scaled);
   if (d.iterations) figures.add(text_of(Label::iterations), std::to_string(*d.iterations));
+  add_details(figures, result);
   body += figures.html();
   for (const Finding& one : result.findings)
     if (one.severity == Severity::basis) body += finding(one);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
+#include "proofmass/report/mape_rows.hpp"
 #include "proofmass/report/number_text.hpp"
+#include "proofmass/report/shown_unit.hpp"
 #include "proofmass/report/typography.hpp"
 
 namespace proofmass::html {
@@ -9,23 +11,28 @@ namespace {
 
 std::optional<Section> scores_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
-  const std::string unit = typeset_unit(result.output_unit.symbol);
+  const double size = result.train ? result.train->rmse * result.output_unit.to_canonical : 0.0;
+  ShownUnit unit = shown_unit(result.output_unit, size > 0.0 ? size : result.output_unit.to_canonical);
+  unit.factor *= result.output_unit.to_canonical;
   Table table(text_of(Label::scores),
               {{text_of(Label::part), Align::left},
                {text_of(Label::rows)},
-               {same_text("RMSE, " + unit)},
-               {same_text("MAE, " + unit)},
-               {same_text("MSE, " + squared_unit(result.output_unit.symbol))},
+               {same_text("RMSE, " + unit.symbol)},
+               {same_text("MAE, " + unit.symbol)},
+               {same_text("MSE, " + squared_unit(unit.symbol))},
                {same_text("MAPE, %")},
                {same_text("R²")}},
               Table::Caption::hidden);
   const auto number = [](double value, int digits) {
     return escaped(typeset(significant_text(value, digits)));
   };
+  MapeRows rows;
   const auto add = [&](Label part, const std::optional<Metrics>& m) {
     if (!m) return;
-    table.add({both(text_of(part)), std::to_string(m->n), number(m->rmse, 5), number(m->mae, 5),
-               number(m->mse, 5), m->mape_percent ? number(*m->mape_percent, 4) : "–",
+    rows.add(text_of(part), m);
+    table.add({both(text_of(part)), std::to_string(m->n), number(unit.factor * m->rmse, 5),
+               number(unit.factor * m->mae, 5), number(unit.factor * unit.factor * m->mse, 5),
+               m->mape_percent ? number(*m->mape_percent, 4) : "–",
                m->r2 ? escaped(typeset(determination_text(*m->r2))) : "–"});
   };
   add(Label::train, result.train);
@@ -37,7 +44,8 @@ std::optional<Section> scores_section(const IdentificationContext& context) {
   const Label used = result.test ? Label::split_for : Label::used_for;
   return Section{.id = "scores",
                  .title = Label::scores,
-                 .body = table.html() + paragraph(text_of(used)) + paragraph(text_of(Label::mape_note)),
+                 .body = table.html() + paragraph(text_of(used)) +
+                         paragraph({rows.text(Language::en), rows.text(Language::zh)}),
                  .short_ = true};
 }
 

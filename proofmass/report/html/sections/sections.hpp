@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a report of an identification. One file here is one part: FILE.cpp defines FILE_part, and the
-// build lists them all. A part without data is absent.
+// build lists them all; parts.cpp alone has what several share. A part without data is absent.
 #pragma once
 
 #include <optional>

@@ -9,7 +9,7 @@ namespace {
 std::optional<Section> settings_section(const IdentificationContext& context) {
   const Run& run = context.run;
   Definitions about;
-  add_record(about, run);
+  add_record(about, run, context.record != nullptr ? &context.record->record : nullptr);
   about.add(text_of(Label::method), escaped(run.identification.method));
   about.add(text_of(Label::model), escaped(run.identification.model));
   add_origin(about, run, context.date);

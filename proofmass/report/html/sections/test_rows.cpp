@@ -5,9 +5,9 @@
 
 namespace proofmass::html {
 
-// Predictions and errors on the rows that the fit has not seen (Shi et al., Figures 7 and 8).
 namespace {
 
+// Predictions and errors on the rows that the fit has not seen (Shi et al., Figures 7 and 8).
 std::optional<Section> test_rows_section(const IdentificationContext& context) {
   if (context.record == nullptr) return std::nullopt;
   const RecordFigures& record = *context.record;

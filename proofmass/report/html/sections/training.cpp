@@ -6,6 +6,7 @@
 #include "proofmass/report/html/page/html.hpp"
 #include "proofmass/report/html/sections/parts_internal.hpp"
 #include "proofmass/report/html/sections/sections.hpp"
+#include "proofmass/report/number_text.hpp"
 #include "proofmass/report/text/names.hpp"
 #include "proofmass/report/typography.hpp"
 
@@ -62,37 +63,79 @@ Chart training_chart(const Identification& result) {
   return chart;
 }
 
-// Whatever is no curve of training: the swarm's, or a search's, each by its name.
-Chart search_chart(const Identification& result) {
+bool is_of_swarm(const Curve& curve) {
+  return curve.name.starts_with("swarm_") || curve.name.starts_with("fish_");
+}
+
+Series numbered(const Curve& curve, std::size_t number) {
+  Series series = series_of(
+      curve, {curve.name, Label::fitness, number == 0 ? Mark::line : Mark::dashes, number % 6}, 1.0);
+  series.name = curve_name(curve.name);
+  return series;
+}
+
+Chart swarm_chart(const Identification& result) {
   Chart chart{.id = "swarm",
               .title = text_of(Label::swarm_curve),
               .x = {.label = text_of(Label::iteration)},
               .y = {.label = text_of(Label::fitness, {{"unit", typeset_unit(result.output_unit.symbol)}}),
                     .log = true},
               .series = {}};
-  for (const Curve& curve : result.history) {
-    const bool training = std::any_of(kTrainingCurves.begin(), kTrainingCurves.end(),
-                                      [&](const Known& known) { return known.name == curve.name; });
-    if (training || curve.values.empty()) continue;
-    Known known{curve.name, Label::fitness, chart.series.empty() ? Mark::line : Mark::dashes,
-                chart.series.size() % 6};
-    Series series = series_of(curve, known, 1.0);
-    series.name = curve_name(curve.name);
-    chart.series.push_back(std::move(series));
-  }
+  for (const Curve& curve : result.history)
+    if (is_of_swarm(curve) && !curve.values.empty())
+      chart.series.push_back(numbered(curve, chart.series.size()));
   return chart;
 }
 
-std::optional<Section> training_section(const IdentificationContext& context) {
-  std::string figures;
-  for (const Chart& chart :
-       {training_chart(context.run.identification), search_chart(context.run.identification)}) {
-    if (!chart.series.empty()) figures += figure(chart, context.interactive);
+// The course of another search or iteration: each by its own name, for they have nothing in common.
+Chart course_chart(const Curve& curve) {
+  const auto [least, largest] = std::minmax_element(curve.values.begin(), curve.values.end());
+  constexpr double kLogRatio = 10.0;
+  const Text name = curve_name(curve.name);
+  Chart chart{.id = "course-" + std::string(curve.name == "information_criterion" ? "criterion" : "search"),
+              .title = name,
+              .x = {.label = text_of(Label::step)},
+              .y = {.label = name, .log = *least > 0.0 && *largest > kLogRatio * *least},
+              .series = {numbered(curve, 0)}};
+  for (double& x : chart.series.front().x) x += 1.0;
+  chart.series.front().name = {};
+  return chart;
+}
+
+// The sizes of hidden layer that were tried.
+std::string trials_table(const Identification& result) {
+  const auto* const network = std::get_if<NetworkDetails>(&result.details);
+  if (network == nullptr || network->hidden_search.empty()) return {};
+  Table table(text_of(Label::hidden_trials, {{"unit", typeset_unit(result.output_unit.symbol)}}),
+              {{text_of(Label::hidden)},
+               {text_of(Label::mean)},
+               {text_of(Label::least)},
+               {text_of(Label::spread)},
+               {same_text(""), Align::left}});
+  for (const HiddenTrial& trial : network->hidden_search) {
+    table.add({std::to_string(trial.hidden), in_print(significant_text(trial.mean, 5)),
+               in_print(significant_text(trial.best, 5)), in_print(significant_text(trial.spread, 3)),
+               trial.chosen ? both(text_of(Label::chosen)) : ""});
   }
-  if (figures.empty()) return std::nullopt;
+  return table.html();
+}
+
+std::optional<Section> training_section(const IdentificationContext& context) {
+  const Identification& result = context.run.identification;
+  std::vector<Chart> charts{training_chart(result), swarm_chart(result)};
+  for (const Curve& curve : result.history) {
+    const bool training = std::any_of(kTrainingCurves.begin(), kTrainingCurves.end(),
+                                      [&](const Known& known) { return known.name == curve.name; });
+    if (!training && !is_of_swarm(curve) && !curve.values.empty()) charts.push_back(course_chart(curve));
+  }
+  std::string figures;
+  for (const Chart& chart : charts)
+    if (!chart.series.empty()) figures += figure(chart, context.interactive);
+  const std::string trials = trials_table(result);
+  if (figures.empty() && trials.empty()) return std::nullopt;
   return Section{.id = "training",
                  .title = Label::training,
-                 .body = element("div", figures, "class=\"figures\""),
+                 .body = element("div", figures, "class=\"figures\"") + trials,
                  .short_ = true};
 }
 

@@ -31,12 +31,18 @@ std::string verdict(const Identification& result) {
   return element("p", both(text_of(label, figures)), sound ? "class=\"verdict\"" : "class=\"verdict doubt\"");
 }
 
+// Why a term is not identified: it stands beside the term, in the table of those.
+bool is_of_one_term(const Identification& result, const Finding& finding) {
+  return std::any_of(result.coefficients.begin(), result.coefficients.end(),
+                     [&](const Coefficient& c) { return !c.identified && c.reason == finding; });
+}
+
 std::optional<Section> verdict_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
   std::string body = verdict(result);
   for (const Severity severity : {Severity::warning, Severity::note}) {
     for (const Finding& one : result.findings)
-      if (one.severity == severity) body += finding(one);
+      if (one.severity == severity && !is_of_one_term(result, one)) body += finding(one);
   }
   return Section{.id = "verdict", .title = Label::verdict, .body = body, .short_ = true};
 }
