@@ -56,6 +56,8 @@ constexpr double kPerturbation = 0.03;
 // A perturbation has helped when training comes to rest at less than this fraction of the least sum of
 // squares before.
 constexpr double kGain = 0.8;
+// Ratio of a network's sum of squares to that of the projection beyond which the latter is wrong.
+constexpr double kAgreement = 1.1;
 
 void mention_perturbations(TrainingState& state) {
   if (state.perturbations == 0 || state.termination.cause == Cause::stopped) return;
@@ -127,17 +129,26 @@ LevenbergMarquardtOptions NetworkTrainer::settings(const TrainingState& state) c
   return settings;
 }
 
-void NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& state) const {
+double NetworkTrainer::take(LevenbergMarquardtResult&& result, TrainingState& state) const {
   state.epochs += result.iterations;
   state.mu = result.mu;
   state.termination = std::move(result.termination);
   state.point = options_.trainer == Trainer::varpro
                     ? with_solved_output_layer(shape_, training_, std::move(result.point), fixed_)
                     : std::move(result.point);
-  const double rmse = root_mean(result.sum_of_squares, training_);
-  if (validation_ != nullptr || !(rmse <= state.training_rmse)) return;
-  state.training_rmse = rmse;
-  state.weights = state.point;
+  double sum = result.sum_of_squares;
+  // Projection finds the sum from products, which cancel where the output layer is ill determined; the
+  // outputs of the network tell.
+  if (const double actual = sum_of_squares(state.point); !(actual <= kAgreement * sum)) sum = actual;
+  const double rmse = root_mean(sum, training_);
+  if (validation_ != nullptr) return sum;
+  if (rmse <= state.training_rmse) {
+    state.training_rmse = rmse;
+    state.weights = state.point;
+  }
+  if (sum == result.sum_of_squares) return sum;
+  for (double& value : state.training_curve) value = std::max(value, state.training_rmse);
+  return sum;
 }
 
 void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
@@ -149,8 +160,7 @@ void NetworkTrainer::train(TrainingState& state, std::size_t epochs,
     settings.iterations = left;
     LevenbergMarquardtResult result = descent.run(settings);
     left -= std::min(left, std::max<std::size_t>(result.iterations, 1));
-    const double reached = result.sum_of_squares;
-    take(std::move(result), state);
+    const double reached = take(std::move(result), state);
     if (state.termination.cause == Cause::iteration_limit) return;
     state.finished = state.termination.cause != Cause::stalled || !go_on(state, reached);
   }

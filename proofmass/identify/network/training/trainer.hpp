@@ -74,7 +74,8 @@ class NetworkTrainer {
   // Over the training samples, with the best weights of the further columns.
   [[nodiscard]] double sum_of_squares(std::span<const double> weights) const;
   [[nodiscard]] LevenbergMarquardtOptions settings(const TrainingState& state) const;
-  void take(LevenbergMarquardtResult&& result, TrainingState& state) const;
+  // Returns the sum of squares at the point taken.
+  double take(LevenbergMarquardtResult&& result, TrainingState& state) const;
   // Moves a state that has come to rest at the sum of squares to where it goes on; false when it is done.
   [[nodiscard]] bool go_on(TrainingState& state, double sum_of_squares) const;
 
