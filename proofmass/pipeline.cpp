@@ -94,7 +94,7 @@ void require_mounts(const Dataset& record, const IdentifyOptions& options) {
 // The number of hidden units that trials on the training rows choose, put into the method, and the trials.
 std::vector<HiddenTrial> search_hidden(const Dataset& record, const Split& split, Method& method,
                                        const IdentifyOptions& options, Progress& progress) {
-  NetworkOptions* const network = network_options(method);
+  const NetworkOptions* const network = network_options(method);
   if (network == nullptr || network->hidden) return {};
   const SplitOptions parts{.training_fraction = *options.split,
                            .validation_fraction = network->validation_fraction};
@@ -103,7 +103,7 @@ std::vector<HiddenTrial> search_hidden(const Dataset& record, const Split& split
                           ? split_mounts_for_trials(rows.mount, parts, options.seed, network->search_repeats)
                           : split_for_trials(rows.rows(), parts, options.seed, network->search_repeats);
   std::vector<HiddenTrial> trials = try_hidden_sizes(rows, method, options, splits, progress);
-  network->hidden = trials[choose_hidden(trials)].hidden;
+  set_hidden(method, trials[choose_hidden(trials)].hidden);
   return trials;
 }
 

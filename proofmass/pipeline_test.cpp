@@ -216,6 +216,7 @@ Bp small_network() {
 Method small(Method method) {
   if (NetworkOptions* const network = network_options(method)) *network = small_network().network;
   if (auto* const swarm = std::get_if<PsoBp>(&method)) {
+    swarm->grow_to = 0;
     swarm->particles = 6;
     swarm->iterations = 3;
   }

@@ -26,6 +26,8 @@ constexpr std::array kModelWords{
     Word<std::string_view>{"paper", "paper"}, Word<std::string_view>{"full", "full"}};
 constexpr std::string_view kPreset = "preset";
 constexpr std::string_view kInitialSwarm = "initial-swarm";
+constexpr std::string_view kHidden = "hidden";
+constexpr std::string_view kGrowTo = "grow-to";
 
 std::string joined(const std::vector<std::string_view>& names) {
   std::string text;
@@ -54,6 +56,15 @@ std::string capitalised(std::string_view text) {
 // " (default 5)"; nothing where the help says what is taken when none is given.
 std::string default_text(std::string_view value) {
   return value == "default" || value == "none" ? "" : fmt::format(" (default {})", value);
+}
+
+bool was_given(const std::vector<std::pair<std::string, std::string>>& given, std::string_view option) {
+  return std::any_of(given.begin(), given.end(), [option](const auto& one) { return one.first == option; });
+}
+
+// A number of hidden units that was asked for is the number to use.
+void stop_growth(Method& method) {
+  if (auto* const swarm = std::get_if<PsoBp>(&method)) swarm->grow_to = 0;
 }
 
 bool takes_preset(Method method) { return apply_paper_preset(method); }
@@ -206,6 +217,7 @@ std::vector<Method> IdentifyFlags::methods(std::span<const std::string> names) c
       if (text == "paper") apply_paper_preset(method);
     }
     for (const auto& [name, text] : given_) set(method, name, text);
+    if (was_given(given_, kHidden) && !was_given(given_, kGrowTo)) stop_growth(method);
     if (auto* const swarm = std::get_if<PsoBp>(&method)) {
       for (const auto& [name, text] : given_) {
         if (name == kInitialSwarm) swarm->initial = read_positions(text);

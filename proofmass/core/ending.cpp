@@ -8,7 +8,7 @@ namespace proofmass {
 namespace {
 
 // In the order of EndingCode.
-constexpr auto kEndingCodes = static_cast<std::size_t>(EndingCode::sizes_unfinished) + 1;
+constexpr auto kEndingCodes = static_cast<std::size_t>(EndingCode::units_in_vain) + 1;
 constexpr std::array<std::string_view, kEndingCodes> kEndingNames{"verbatim",
                                                                   "start_not_finite",
                                                                   "stopped_by_observer",
@@ -58,7 +58,10 @@ constexpr std::array<std::string_view, kEndingCodes> kEndingNames{"verbatim",
                                                                   "network_kept",
                                                                   "network_dropped",
                                                                   "network_not_judged",
-                                                                  "sizes_unfinished"};
+                                                                  "sizes_unfinished",
+                                                                  "units_suffice",
+                                                                  "units_added",
+                                                                  "units_in_vain"};
 static_assert(!kEndingNames.back().empty(), "a name for each code");
 
 }  // namespace

@@ -82,6 +82,9 @@ enum class EndingCode : std::uint8_t {
   network_dropped,
   network_not_judged,
   sizes_unfinished,
+  units_suffice,
+  units_added,
+  units_in_vain,
 };
 [[nodiscard]] std::string_view to_string(EndingCode code) noexcept;
 [[nodiscard]] std::optional<EndingCode> find_ending_code(std::string_view name) noexcept;

@@ -116,6 +116,11 @@ std::optional<double> constant_input_sigma(const Method& method) {
 NetworkOptions* network_options(Method& method) { return network_options_of(method); }
 const NetworkOptions* network_options(const Method& method) { return network_options_of(method); }
 
+void set_hidden(Method& method, std::size_t hidden) {
+  if (NetworkOptions* const network = network_options(method)) network->hidden = hidden;
+  if (auto* const swarm = std::get_if<PsoBp>(&method)) swarm->grow_to = 0;
+}
+
 bool apply_paper_preset(Method& method) {
   if (auto* const bp = std::get_if<Bp>(&method)) return apply_paper_preset(*bp), true;
   if (auto* const pso_bp = std::get_if<PsoBp>(&method)) return apply_paper_preset(*pso_bp), true;

@@ -2,6 +2,7 @@
 // Every method of identification there is, and the one interface of all.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -64,6 +65,10 @@ void require_valid_options(const Method& method);
 // The options of the method's network; null where it has none of a size that the options say.
 [[nodiscard]] NetworkOptions* network_options(Method& method);
 [[nodiscard]] const NetworkOptions* network_options(const Method& method);
+
+// Gives the method's network so many hidden units, and no more however it fits; nothing where the method has
+// no network of a size that the options say.
+void set_hidden(Method& method, std::size_t hidden);
 
 // Sets the method as the paper has it; false where the paper says nothing of it.
 bool apply_paper_preset(Method& method);

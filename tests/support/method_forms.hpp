@@ -55,8 +55,8 @@ inline std::vector<Form> method_forms() {
 // Gives a method a small network and a small swarm where it has them, and the uncertainties of the twin where
 // it needs some. A hybrid keeps its defaults.
 inline void make_small(Method& method) {
+  set_hidden(method, 3);
   if (NetworkOptions* const network = network_options(method)) {
-    network->hidden = 3;
     network->training.epochs = 600;
   }
   if (auto* const swarm = std::get_if<PsoBp>(&method)) {

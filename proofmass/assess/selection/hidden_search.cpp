@@ -96,7 +96,7 @@ std::vector<HiddenTrial> try_hidden_sizes(const Dataset& rows, const Method& met
     HiddenTrial& trial = trials[trials.size() - 1 - k / repeats];
     const std::size_t r = k % repeats;
     Method sized = method;
-    network_options(sized)->hidden = trial.hidden;
+    set_hidden(sized, trial.hidden);
     IdentifyOptions seeded = options;
     seeded.seed += r;
     trial.validation_rmse[r] = validation_rmse(parts[r], sized, seeded, steps);

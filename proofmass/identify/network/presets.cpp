@@ -15,6 +15,7 @@ void apply_paper_preset(NetworkOptions& network) {
 
 void apply_paper_preset(PsoBp& method) {
   apply_paper_preset(method.network);
+  method.grow_to = 0;
   method.particles = 50;
   method.iterations = 50;
   method.inertia = 0.6;

@@ -9,6 +9,7 @@
 
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/model/ending_of.hpp"
+#include "proofmass/identify/network/growth.hpp"
 #include "proofmass/identify/network/result.hpp"
 #include "proofmass/identify/network/scaling.hpp"
 #include "proofmass/identify/network/swarm_fitness.hpp"
@@ -90,7 +91,8 @@ std::vector<TrainingState> diverse_particles(const NetworkTask& task, const Netw
   return chosen;
 }
 
-void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
+void add_swarm(Identification& result, const SwarmResult& swarm, std::optional<EndingPart> units,
+               double scale) {
   const auto scaled = [scale](std::vector<double> values) {
     for (double& value : values) value *= scale;
     return values;
@@ -100,6 +102,7 @@ void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
   result.history.push_back({"swarm_mean", scaled(swarm.mean_history)});
   result.ending.parts = {{.code = EndingCode::particle_swarm, .parts = ending_parts(swarm.termination)},
                          {.code = EndingCode::training, .parts = std::move(result.ending.parts)}};
+  if (units) result.ending.parts.push_back(std::move(*units));
 }
 
 }  // namespace
@@ -107,7 +110,7 @@ void add_swarm(Identification& result, const SwarmResult& swarm, double scale) {
 Identification fit(const PsoBp& method, const Dataset& training, const Dataset& validation,
                    const IdentifyOptions& options, Progress& progress) {
   require_in_range(method);
-  const NetworkTask task = prepare_network(method.network, training, validation, options);
+  NetworkTask task = prepare_network(method.network, training, validation, options);
   const NetworkTrainer trainer(task.shape, task.samples, task.validation ? &*task.validation : nullptr,
                                method.network.training);
   const SwarmFitnessFunction fitness(task.shape, task.samples, method, progress);
@@ -121,15 +124,23 @@ Identification fit(const PsoBp& method, const Dataset& training, const Dataset& 
                                               std::move(initial), settings, options.seed, observe);
   if (progress.cancelled()) throw Error(ErrorKind::interrupted, "interrupted");
 
+  // A network that may grow need not find among many candidates what more units find sooner.
+  const GrowthPlan growth{
+      .most_hidden = method.grow_to, .training = method.network.training, .seed = options.seed};
+  const bool may_grow = hidden_limit(task, growth) > task.shape.hidden;
   std::vector<TrainingState> particles =
-      diverse_particles(task, trainer, swarm, method.refined, options.seed);
+      diverse_particles(task, trainer, swarm,
+                        may_grow ? std::min(method.refined, kRefinementBatch) : method.refined, options.seed);
   Refinement refinement =
       refine(trainer, std::move(particles),
              {.epochs = method.network.training.epochs, .good_enough = task.good_enough()}, progress);
+  std::optional<EndingPart> units;
+  if (may_grow) units = grow(task, refinement, growth, progress);
   refinement.epochs += fitness.epochs();
   Identification result =
       make_network_identification("pso-bp", task, method.network.extraction, options, refinement);
-  add_swarm(result, swarm, output_half_range(task.network) / task.training.output_unit.to_canonical);
+  add_swarm(result, swarm, std::move(units),
+            output_half_range(task.network) / task.training.output_unit.to_canonical);
   // An evaluation that trains has been counted by its epochs.
   if (method.fitness != SwarmFitness::trained) {
     result.diagnostics.iterations = refinement.epochs + swarm.evaluations;

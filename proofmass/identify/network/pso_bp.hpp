@@ -39,6 +39,9 @@ inline constexpr std::array kTopologyWords{Word<SwarmTopology>{"global", SwarmTo
 // trainer is variable projection.
 struct PsoBp {
   NetworkOptions network{};
+  // Hidden units are added up to so many where the training error of network.hidden of them stays above least
+  // squares'; not more than network.hidden: none.
+  std::size_t grow_to = 12;
   std::size_t particles = 50;
   std::size_t iterations = 60;
   double inertia = 0.7298;     // constriction coefficients of Clerc & Kennedy 2002
@@ -64,6 +67,11 @@ struct PsoBp {
       .exact_without_noise = false};
   static constexpr auto fields = std::tuple{
       group(&PsoBp::network, NetworkOptions::fields),
+      field(
+          "grow-to", &PsoBp::grow_to,
+          "units are added up to N where least squares says that more are needed; none when hidden is given, "
+          "unless this is too",
+          whole(0, kMostUnits), {.place = "pso-bp.md#more-hidden-units"}),
       field("particles", &PsoBp::particles, "particles of the swarm", whole(1, kMostMembers),
             {.place = "pso-bp.md#the-swarm"}),
       field("iterations", &PsoBp::iterations, "iterations of the swarm, at most; 0: particles as they start",

@@ -25,6 +25,29 @@ TEST(PsoBpOnTheTwin, ReachesTheFloorFromEverySeed) {
   }
 }
 
+// All 21 terms are alive, Koq among them: seven smooth units stay above the noise.
+TEST(PsoBpOnTheTwin, GrowsToTheFloor) {
+  const SimulationPlan plan = test::shipped_plan("twin-full-45g");
+  const Dataset record = simulate(plan, plan.rows, 1);
+  const double floor = identified(record, Ols{}, 1).test->rmse;
+  const Identification grown = identified(record, PsoBp{}, 1);
+  EXPECT_TRUE(mentions(grown.ending.parts, EndingCode::units_added));
+  EXPECT_GT(grown.network->hidden, 7U);
+  EXPECT_LE(grown.network->hidden, 12U);
+  EXPECT_LE(grown.test->rmse, 1.06 * floor);
+  const Identification fixed = identified(record, PsoBp{.grow_to = 0}, 1);
+  EXPECT_EQ(fixed.network->hidden, 7U);
+  EXPECT_GT(fixed.test->rmse, 1.06 * floor);
+}
+
+// Structure that the static model lacks is no reason to grow: the network is below least squares.
+TEST(PsoBpOnTheTwin, DoesNotGrowTowardsAWrongModel) {
+  const SimulationPlan plan = test::shipped_plan("twin-unmodelled");
+  const Identification result = identified(simulate(plan, plan.rows, 1), PsoBp{}, 1);
+  EXPECT_EQ(result.network->hidden, 7U);
+  EXPECT_TRUE(mentions(result.ending.parts, EndingCode::units_suffice));
+}
+
 // The root mean square of 63 errors over their standard errors; scattering by a tenth is in its nature.
 TEST(PsoBpOnTheTwin, StatesStandardErrorsThatHold) {
   const SimulationPlan plan = test::shipped_plan("twin-300ug");

@@ -8,11 +8,13 @@
 #include <cmath>
 
 #include "proofmass/core/error.hpp"
+#include "proofmass/identify/method.hpp"
 #include "proofmass/identify/network/bp.hpp"
 #include "proofmass/identify/network/presets.hpp"
 #include "proofmass/identify/network/result.hpp"
 #include "proofmass/identify/network/training/starts.hpp"
 #include "proofmass/identify/regression/ols.hpp"
+#include "proofmass/numeric/parallel.hpp"
 #include "support/endings.hpp"
 #include "support/networks.hpp"
 #include "support/twin.hpp"
@@ -27,6 +29,7 @@ constexpr PerceptronShape kShape{3, 3};
 PsoBp small() {
   PsoBp method;
   method.network.hidden = kShape.hidden;
+  method.grow_to = 0;
   method.network.training.epochs = 40;
   method.particles = 8;
   method.iterations = 5;
@@ -153,6 +156,29 @@ TEST(PsoBp, ReachesTheFloor) {
   for (const Coefficient& c : result.coefficients) {
     EXPECT_NEAR(c.value, truth.coefficient(c.term), 5.0 * *c.standard_error) << name(c.term);
   }
+}
+
+TEST(PsoBp, HasExactlyTheUnitsAskedFor) {
+  Method method = PsoBp{};
+  set_hidden(method, 3);
+  EXPECT_EQ(std::get<PsoBp>(method).network.hidden, 3U);
+  EXPECT_EQ(std::get<PsoBp>(method).grow_to, 0U);
+  const Identification result = fitted(test::make_twin(), small());
+  EXPECT_EQ(result.network->hidden, kShape.hidden);
+  EXPECT_FALSE(mentions(result.ending.parts, EndingCode::units_suffice));
+}
+
+// Three units cannot represent the twin; the network that grows has the same bits for any number of threads.
+TEST(PsoBp, GrowsAlikeForAnyNumberOfThreads) {
+  PsoBp method = small();
+  method.grow_to = 5;
+  const Dataset record = test::make_twin();
+  const Identification grown = fitted(record, method);
+  EXPECT_TRUE(mentions(grown.ending.parts, EndingCode::units_added)) << test::said(grown.ending);
+  EXPECT_EQ(grown.network->hidden, 5U);
+  EXPECT_LT(*grown.diagnostics.residual_sd, *fitted(record, small()).diagnostics.residual_sd);
+  const ThreadLimit one(1);
+  EXPECT_EQ(fitted(record, method).network->weights, grown.network->weights);
 }
 
 TEST(PsoBp, StopsWhenTheCallerAsks) {

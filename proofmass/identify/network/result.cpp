@@ -70,7 +70,7 @@ TermList differing_terms(const Identification& result, const std::vector<double>
 void note_misfit(Identification& result, const NetworkTask& task, double residual_sd) {
   const double floor = task.least_squares_sd * output_half_range(task.network);
   if (!(floor > 0.0 && residual_sd > kMisfit * floor)) return;
-  if (task.least_squares_rmse > kRounding) {
+  if (task.leaves_noise()) {
     result.findings.push_back({.code = Code::network_misfit,
                                .severity = Severity::warning,
                                .figures = {{"ratio", residual_sd / floor}}});
@@ -137,20 +137,27 @@ void require_fit(std::string_view method, const NetworkTask& task, const Trainin
 struct LeastSquaresError {
   double rmse = 0.0;
   double sd = 0.0;
+  StaticModel model;
 };
 
 LeastSquaresError least_squares_error(const Dataset& training, const TrainedNetwork& network) {
   const TermSums sums(training, parse_terms("full"));
   const TermList terms = analyse_identifiability(sums, sums.terms()).identified;
   if (terms.empty() || training.rows() < terms.size()) return {};
-  const double rss = solve_normal_equations(sums.gram(terms), sums.rows(terms)).rss;
+  NormalSolution solution = solve_normal_equations(sums.gram(terms), sums.rows(terms));
+  const double rss = solution.rss;
   const double half_range = output_half_range(network);
   const std::size_t dof = training.rows() - terms.size();
   return {.rmse = std::sqrt(rss / static_cast<double>(training.rows())) / half_range,
-          .sd = dof > 0 ? std::sqrt(rss / static_cast<double>(dof)) / half_range : 0.0};
+          .sd = dof > 0 ? std::sqrt(rss / static_cast<double>(dof)) / half_range : 0.0,
+          .model = {.terms = terms, .coefficients = std::move(solution.coefficients)}};
 }
 
 }  // namespace
+
+bool NetworkTask::leaves_noise() const noexcept {
+  return least_squares_rmse > kRounding && least_squares_sd > 0.0;
+}
 
 NetworkTask prepare_network(const NetworkOptions& asked, const Dataset& training, const Dataset& validation,
                             const IdentifyOptions& options) {
@@ -170,7 +177,7 @@ NetworkTask prepare_network(const NetworkOptions& asked, const Dataset& training
   Samples samples = scale_rows(network, ordered);
   std::optional<Samples> validation_samples;
   if (validation.rows() > 0) validation_samples = scale_rows(network, in_canonical_order(validation));
-  const LeastSquaresError least_squares = least_squares_error(ordered, network);
+  LeastSquaresError least_squares = least_squares_error(ordered, network);
   return {.found = std::move(found),
           .training = std::move(ordered),
           .network = std::move(network),
@@ -178,7 +185,8 @@ NetworkTask prepare_network(const NetworkOptions& asked, const Dataset& training
           .samples = std::move(samples),
           .validation = std::move(validation_samples),
           .least_squares_rmse = least_squares.rmse,
-          .least_squares_sd = least_squares.sd};
+          .least_squares_sd = least_squares.sd,
+          .least_squares = std::move(least_squares.model)};
 }
 
 Identification make_network_identification(std::string_view method, const NetworkTask& task,

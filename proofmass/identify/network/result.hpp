@@ -6,6 +6,7 @@
 
 #include "proofmass/core/dataset.hpp"
 #include "proofmass/core/identification.hpp"
+#include "proofmass/core/static_model.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/identify/network/network_options.hpp"
 #include "proofmass/identify/network/training/refinement.hpp"
@@ -24,6 +25,9 @@ struct NetworkTask {
   // Training error (scaled output) of least squares with every term that the rows can tell apart.
   double least_squares_rmse = 0.0;
   double least_squares_sd = 0.0;  // the same over the degrees of freedom; zero when there are none
+  StaticModel least_squares;      // its terms and coefficients
+  // Whether that is more than rounding.
+  [[nodiscard]] bool leaves_noise() const noexcept;
   // Training error at which more starts are not worth their time.
   [[nodiscard]] double good_enough() const noexcept { return 1.01 * least_squares_rmse; }
 };

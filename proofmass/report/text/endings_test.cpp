@@ -111,7 +111,13 @@ const std::vector<SaidEnding>& said_endings() {
        "cross-validation drops the network: rms error at rows left out 1.25 times that without"},
       {{network_not_judged}, "the network is dropped: too few rows for a cross-validation"},
       {{sizes_unfinished, {{"epochs", 1.0}, {"sizes", std::string("1, 2")}, {"units", 2.0}}},
-       "training used all of its 1 epoch with 1, 2 hidden units"}};
+       "training used all of its 1 epoch with 1, 2 hidden units"},
+      {{units_suffice, {{"units", 7.0}, {"ratio", 1.0052}}},
+       "7 hidden units: the residual is 1.005 times that of least squares"},
+      {{units_added, {{"from", 7.0}, {"units", 9.0}, {"before", 1.3532}, {"after", 1.0006}}},
+       "9 hidden units: with 7 the residual was 1.353 times that of least squares, with 9 it is 1.001 times"},
+      {{units_in_vain, {{"from", 7.0}, {"units", 12.0}, {"before", 1.02}, {"after", 1.03}}},
+       "7 hidden units: the residual is 1.020 times that of least squares, and with 12 it is no less"}};
   return kAll;
 }
 

@@ -176,6 +176,23 @@ Words ending_words(EndingCode code) noexcept {
           "training used all of its {epochs:.0f} {epochs:?epoch|epochs} with {sizes} hidden "
           "{units:?unit|units}",
           "隐层单元为 {sizes} 个时，训练用完了全部 {epochs:.0f} 个轮次"};
+    case EndingCode::units_suffice:
+      return {
+          "{units:.0f} hidden {units:?unit|units}: the residual is {ratio:.3f} times that of least squares",
+          "隐层单元 {units:.0f} 个：残差为最小二乘的 {ratio:.3f} 倍"};
+    case EndingCode::units_added:
+      return {
+          "{units:.0f} hidden units: with {from:.0f} the residual was {before:.3f} times that of least "
+          "squares, with {units:.0f} it is {after:.3f} "
+          "times",
+          "隐层单元 {units:.0f} 个：{from:.0f} 个时残差为最小二乘的 {before:.3f} "
+          "倍，{units:.0f} 个时为 "
+          "{after:.3f} 倍"};
+    case EndingCode::units_in_vain:
+      return {
+          "{from:.0f} hidden {from:?unit|units}: the residual is {before:.3f} times that of least squares, "
+          "and with {units:.0f} it is no less",
+          "隐层单元 {from:.0f} 个：残差为最小二乘的 {before:.3f} 倍，增至 {units:.0f} 个亦不减小"};
   }
   return {};
 }

@@ -15,7 +15,6 @@
 namespace proofmass {
 namespace {
 
-constexpr std::size_t kBatch = 16;
 constexpr std::size_t kFinalists = 2;
 // Epochs of a batch's first round; each later round doubles what a candidate has had.
 constexpr std::size_t kFirstRound = 50;
@@ -93,14 +92,14 @@ void race(const NetworkTrainer& trainer, std::span<TrainingState> batch, std::si
 Refinement refine(const NetworkTrainer& trainer, std::vector<TrainingState> candidates,
                   const RefinementPlan& plan, Progress& progress) {
   std::size_t total = 0;
-  for (std::size_t first = 0; first < candidates.size(); first += kBatch) {
-    total += planned_epochs(std::min(kBatch, candidates.size() - first), plan.epochs);
+  for (std::size_t first = 0; first < candidates.size(); first += kRefinementBatch) {
+    total += planned_epochs(std::min(kRefinementBatch, candidates.size() - first), plan.epochs);
   }
   EpochCounter counter(plan.stage, total, progress);
   Refinement refinement;
-  for (std::size_t first = 0; first < candidates.size(); first += kBatch) {
+  for (std::size_t first = 0; first < candidates.size(); first += kRefinementBatch) {
     const std::span<TrainingState> batch(candidates.data() + first,
-                                         std::min(kBatch, candidates.size() - first));
+                                         std::min(kRefinementBatch, candidates.size() - first));
     race(trainer, batch, plan.epochs, counter, progress);
     TrainingState& winner = batch.front();
     trainer.polish(winner, plan.epochs - std::min(plan.epochs, winner.epochs),

@@ -10,6 +10,9 @@
 
 namespace proofmass {
 
+// Candidates trained together: no further ones are tried when one of them is good enough.
+inline constexpr std::size_t kRefinementBatch = 16;
+
 // How much training to spend.
 struct RefinementPlan {
   std::size_t epochs = 1000;  // at most, for one candidate
