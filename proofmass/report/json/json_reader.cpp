@@ -35,7 +35,8 @@ Coefficient coefficient_of(const JsonNode& node) {
   if (coefficient.identified) coefficient.value = node.at("value").number();
   if (const auto left_out = node.find("left_out")) coefficient.left_out = left_out->flag();
   coefficient.standard_error = optional_number(node, "standard_error");
-  if (coefficient.standard_error.value_or(0.0) < 0.0) node.at("standard_error").fail("a number of at least 0");
+  if (coefficient.standard_error.value_or(0.0) < 0.0)
+    node.at("standard_error").fail("a number of at least 0");
   if (const auto ci95 = node.find("ci95")) {
     coefficient.ci95 = interval_of(*ci95);
     if (!(coefficient.ci95->low <= coefficient.value && coefficient.value <= coefficient.ci95->high))

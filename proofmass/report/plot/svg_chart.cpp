@@ -28,12 +28,12 @@ std::string stroke_of(const Series& s) {
   return fmt::format("{}{} s{}", class_of(s.mark), few ? " few" : "", s.colour);
 }
 
-constexpr double kSample = 22.0, kGap = 14.0;  // of a legend
+constexpr double kLegendSample = 22.0, kLegendGap = 14.0;  // of a legend
 constexpr double kLegendTop = 43.0, kLegendLine = 20.0, kLegendEdge = 6.0;
 
 double legend_width(const Series& s) {
   const auto columns = static_cast<double>(std::max(display_width(s.name.en), display_width(s.name.zh)));
-  return s.name.en.empty() ? 0.0 : kSample + 4.0 + kSvgColumn * columns + kGap;
+  return s.name.en.empty() ? 0.0 : kLegendSample + 4.0 + kSvgColumn * columns + kLegendGap;
 }
 
 double legend_start(const Chart& chart) {
@@ -235,15 +235,15 @@ class ChartDrawing {
     canvas_.raw("<g transform=\"scale(.5)\">");
     if (s.mark == Mark::band) {
       canvas_.path(fmt::format("M{:.0f} {:.0f}h{:.0f}v20h-{:.0f}Z", kGrid * at, kGrid * (y - 9.0),
-                               kGrid * kSample, kGrid * kSample),
+                               kGrid * kLegendSample, kGrid * kLegendSample),
                    fmt::format("band f{}", s.colour));
     } else {
-      canvas_.path(fmt::format("M{:.0f} {:.0f}h{:.0f}", kGrid * (dot ? at + 0.5 * kSample : at),
-                               kGrid * (y - 5.0), dot ? 0.0 : kGrid * kSample),
+      canvas_.path(fmt::format("M{:.0f} {:.0f}h{:.0f}", kGrid * (dot ? at + 0.5 * kLegendSample : at),
+                               kGrid * (y - 5.0), dot ? 0.0 : kGrid * kLegendSample),
                    stroke);
     }
     canvas_.raw("</g>");
-    canvas_.text(at + kSample + 4.0, y, s.name, SvgCanvas::Anchor::start);
+    canvas_.text(at + kLegendSample + 4.0, y, s.name, SvgCanvas::Anchor::start);
   }
 
   const Chart& chart_;

@@ -90,12 +90,12 @@ Chart swarm_chart(const Identification& result) {
 // The course of another search or iteration: each by its own name, for they have nothing in common.
 Chart course_chart(const Curve& curve) {
   const auto [least, largest] = std::minmax_element(curve.values.begin(), curve.values.end());
-  constexpr double kLogRatio = 10.0;
+  constexpr double kLogFrom = 10.0;
   const Text name = curve_name(curve.name);
   Chart chart{.id = "course-" + std::string(curve.name == "information_criterion" ? "criterion" : "search"),
               .title = name,
               .x = {.label = text_of(Label::step)},
-              .y = {.label = name, .log = *least > 0.0 && *largest > kLogRatio * *least},
+              .y = {.label = name, .log = *least > 0.0 && *largest > kLogFrom * *least},
               .series = {numbered(curve, 0)}};
   for (double& x : chart.series.front().x) x += 1.0;
   chart.series.front().name = {};
