@@ -69,9 +69,10 @@ CLI::Option* add_path(CLI::App& verb, const std::string& option, std::string& pa
   const auto take = [option, &path](const std::string& text) {
     if (text.empty())
       throw usage_error(message("{}: found an empty name, expected a file or folder", option));
-    if (text.starts_with("--"))
+    if (text.starts_with("--")) {
       throw usage_error(message("{}: found '{}', expected a file or folder; ./{} is one of that name", option,
                                 excerpt(text), excerpt(text)));
+    }
     path = text;
   };
   return verb.add_option_function<std::string>(option, take, help);

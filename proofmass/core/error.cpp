@@ -42,11 +42,12 @@ Error bad_data(const Place& place, const FoundText& found, const Message& expect
                std::vector<Remedy> remedies) {
   Message said = found.words.empty() ? message("expected {}", expected)
                                      : message("found '{}', expected {}", found.words, expected);
-  if (!place.column.empty())
+  if (!place.column.empty()) {
     said = message("{}: {}",
                    place.is_key ? message("key '{}'", excerpt(place.column))
                                 : message("column '{}'", excerpt(place.column)),
                    said);
+  }
   const Message where =
       place.row > 0 ? message("{}:{}", place.file, place.row) : Message::verbatim(place.file);
   return {ErrorKind::bad_data, message("{}: {}", where, said), std::move(remedies)};

@@ -61,9 +61,10 @@ std::string table_1(const Reproduction& made, Language language) {
 std::string coefficient_cell(const Contestant& contestant, Term term, Language language) {
   for (const Coefficient& c : contestant.runs.front().identification.coefficients) {
     if (c.term != term) continue;
-    if (!c.identified)
+    if (!c.identified) {
       return std::string(
           (c.left_out ? reproduction_words::kLeftOut : reproduction_words::kUnidentifiable).in(language));
+    }
     if (!c.standard_error) return significant_text(c.value, 6);
     return fmt::format("{} ± {}", uncertain_text(c.value, c.standard_error),
                        significant_text(*c.standard_error, 2));

@@ -60,9 +60,10 @@ std::string coefficients_table(const Text& caption, std::span<const Term> terms,
 ShownUnit error_unit(const Comparison& comparison) {
   const Unit& output = first_result(comparison.contestants.front()).output_unit;
   double least = std::numeric_limits<double>::infinity();
-  for (const Contestant& c : comparison.contestants)
+  for (const Contestant& c : comparison.contestants) {
     for (const auto& part : {c.train, c.test})
       if (part && part->rmse.mean > 0.0) least = std::min(least, part->rmse.mean);
+  }
   ShownUnit unit =
       shown_unit(output, std::isfinite(least) ? least * output.to_canonical : output.to_canonical);
   unit.factor *= output.to_canonical;

@@ -22,9 +22,10 @@ void add_details(Definitions& figures, const Identification& result) {
     figures.add(text_of(label), std::to_string(number));
   };
   if (const auto* network = std::get_if<NetworkDetails>(&result.details)) {
-    if (network->saturated_fraction)
+    if (network->saturated_fraction) {
       figures.add(text_of(Label::saturated_fraction),
                   in_print(significant_text(*network->saturated_fraction, 3)));
+    }
     if (network->induced_deviation) output(Label::induced_deviation, *network->induced_deviation);
     count(Label::training_epochs, network->training_epochs);
     if (network->swarm_evaluations) count(Label::swarm_evaluations, *network->swarm_evaluations);

@@ -81,9 +81,10 @@ Chart swarm_chart(const Identification& result) {
               .y = {.label = text_of(Label::fitness, {{"unit", typeset_unit(result.output_unit.symbol)}}),
                     .log = true},
               .series = {}};
-  for (const Curve& curve : result.history)
+  for (const Curve& curve : result.history) {
     if (is_of_swarm(curve) && !curve.values.empty())
       chart.series.push_back(numbered(curve, chart.series.size()));
+  }
   return chart;
 }
 
