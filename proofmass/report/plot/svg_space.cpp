@@ -49,6 +49,12 @@ std::string svg_of(const SpacePlot& plot, const SvgUse& use) {
     for (const double v : *column)
       view.largest = std::max(view.largest, std::isfinite(v) ? std::abs(v) : 0.0);
   }
+  // A point that is far out along several axes at once must not reach the title.
+  constexpr double kRoom = 165.0;  // above and below the centre
+  for (std::size_t k = 0; k < plot.x.size(); ++k) {
+    const double height = std::abs(0.5 * (plot.x[k] + plot.y[k]) - plot.z[k]);
+    if (std::isfinite(height)) view.largest = std::max(view.largest, height * kReach / kRoom);
+  }
   if (view.largest == 0.0) view.largest = 1.0;
   canvas.text(0.5 * kSvgWidth, 21.0, plot.title, SvgCanvas::Anchor::middle, "title");
   for (std::size_t axis = 0; axis < plot.axes.size(); ++axis) {
