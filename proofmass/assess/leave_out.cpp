@@ -62,9 +62,7 @@ void add_leave_out_scores(Identification& result, const Dataset& fitted) {
   if (info(find_method(result.method)).training_fraction < 1.0) return;
   const StaticModel model = result.static_model();
   const TermRows rows(fitted, model.terms, axis_ranges(fitted));
-  std::vector<double> residuals = static_outputs(model, fitted);
-  for (std::size_t row = 0; row < residuals.size(); ++row)
-    residuals[row] = fitted.output[row] - residuals[row];
+  const std::vector<double> residuals = static_residuals(model, fitted);
   const std::vector<double>& weights = result.row_weights.values;
 
   result.findings.push_back(

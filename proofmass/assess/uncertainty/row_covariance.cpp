@@ -82,13 +82,6 @@ Error flat(const Dataset& fitted, CovarianceKind kind) {
       {{"loss", "huber"}, {"covariance", "model"}});
 }
 
-std::vector<double> residuals_of(const StaticModel& model, const Dataset& fitted) {
-  std::vector<double> residuals = static_outputs(model, fitted);
-  for (std::size_t row = 0; row < residuals.size(); ++row)
-    residuals[row] = fitted.output[row] - residuals[row];
-  return residuals;
-}
-
 void set_standard_errors(Identification& result, const Matrix& covariance) {
   result.covariance.assign(covariance.data(), covariance.data() + covariance.rows() * covariance.rows());
   std::size_t k = 0;
@@ -131,7 +124,7 @@ void use_covariance(Identification& result, const Dataset& fitted, CovarianceKin
   if (groups.names.size() == 1) throw undetermined(fitted, groups, 0);
   const StaticModel model = result.static_model();
   const TermRows rows(fitted, model.terms, axis_ranges(fitted));
-  const std::vector<double> residuals = residuals_of(model, fitted);
+  const std::vector<double> residuals = static_residuals(model, fitted);
   const DeletionCovariance found = deletion_covariance({.rows = rows,
                                                         .residuals = residuals,
                                                         .weights = result.row_weights.values,

@@ -147,4 +147,11 @@ std::vector<double> static_outputs(const StaticModel& model, const Dataset& inpu
   return outputs;
 }
 
+std::vector<double> static_residuals(const StaticModel& model, const Dataset& record) {
+  std::vector<double> residuals = static_outputs(model, record);
+  for (std::size_t row = 0; row < residuals.size(); ++row)
+    residuals[row] = record.output[row] - residuals[row];
+  return residuals;
+}
+
 }  // namespace proofmass

@@ -39,4 +39,7 @@ class TermRows final : public RegressionRows {
 // model.output of each row, to the last bit, block by block and in parallel.
 [[nodiscard]] std::vector<double> static_outputs(const StaticModel& model, const Dataset& inputs);
 
+// The measured output of each row less that.
+[[nodiscard]] std::vector<double> static_residuals(const StaticModel& model, const Dataset& record);
+
 }  // namespace proofmass
