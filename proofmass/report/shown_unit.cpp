@@ -62,6 +62,13 @@ ShownUnit shown_unit(const Unit& output, double largest) {
   return {to_declared * std::pow(kTen, -decade), power_of_ten(decade) + " " + symbol};
 }
 
+ShownUnit shown_from_declared(const Unit& output, double largest) {
+  const double known = largest > 0.0 && std::isfinite(largest) ? largest : 1.0;
+  ShownUnit unit = shown_unit(output, known * output.to_canonical);
+  unit.factor *= output.to_canonical;
+  return unit;
+}
+
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
   std::vector<double> out = values;
   for (double& v : out) v *= factor;

@@ -18,6 +18,10 @@ struct ShownUnit {
 // of ten, that leaves numbers between 0.1 and 1000.
 [[nodiscard]] ShownUnit shown_unit(const Unit& output, double largest);
 
+// The same for values in the declared unit, which its factor is then from; the unit as declared where there
+// is no largest.
+[[nodiscard]] ShownUnit shown_from_declared(const Unit& output, double largest);
+
 // The values times a factor.
 [[nodiscard]] std::vector<double> scaled(const std::vector<double>& values, double factor);
 

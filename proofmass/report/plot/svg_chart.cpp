@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "proofmass/report/plot/svg_canvas_internal.hpp"
 #include "proofmass/report/text/display_width.hpp"
@@ -42,17 +43,31 @@ double legend_start(const Chart& chart) {
   return std::clamp(kSvgWidth - width, kLegendEdge, SvgFrame().left);
 }
 
-// Lower where the legend has more lines than one.
-SvgFrame frame_of(const Chart& chart) {
-  SvgFrame frame;
-  double at = legend_start(chart);
+// Where the entry of a series begins, and in which line of the legend.
+struct LegendPlace {
+  double at = 0.0;
+  std::size_t line = 0;
+};
+
+// Of each series, above the data; the legend begins further left where it is long, and goes on in further
+// lines.
+std::vector<LegendPlace> legend_places(const Chart& chart) {
+  const double start = legend_start(chart);
+  std::vector<LegendPlace> places;
+  LegendPlace next{.at = start};
   for (const Series& s : chart.series) {
-    if (at + legend_width(s) > kSvgWidth && at > legend_start(chart)) {
-      at = legend_start(chart);
-      frame.top += kLegendLine;
-    }
-    at += legend_width(s);
+    const double width = legend_width(s);
+    if (next.at + width > kSvgWidth && next.at > start) next = {.at = start, .line = next.line + 1};
+    places.push_back(next);
+    next.at += width;
   }
+  return places;
+}
+
+// Lower where the legend has more lines than one.
+SvgFrame frame_of(const std::vector<LegendPlace>& legend) {
+  SvgFrame frame;
+  if (!legend.empty()) frame.top += kLegendLine * static_cast<double>(legend.back().line);
   return frame;
 }
 
@@ -60,7 +75,8 @@ class ChartDrawing {
  public:
   ChartDrawing(const Chart& chart, const SvgUse& use)
       : chart_(chart),
-        frame_(frame_of(chart)),
+        legend_(legend_places(chart)),
+        frame_(frame_of(legend_)),
         canvas_(kSvgWidth, kSvgHeight, use),
         x_(frame_.left, frame_.right, chart.x.log),
         y_(frame_.bottom, frame_.top, chart.y.log) {
@@ -214,18 +230,11 @@ class ChartDrawing {
     }
   }
 
-  // Above the data; begins further left where it is long, and goes on in further lines.
   void draw_legend() {
-    double at = legend_start(chart_);
-    double y = kLegendTop;
-    for (const Series& s : chart_.series) {
-      if (s.name.en.empty()) continue;
-      if (at + legend_width(s) > kSvgWidth && at > legend_start(chart_)) {
-        at = legend_start(chart_);
-        y += kLegendLine;
-      }
-      draw_entry(s, at, y);
-      at += legend_width(s);
+    for (std::size_t k = 0; k < chart_.series.size(); ++k) {
+      const Series& s = chart_.series[k];
+      const double y = kLegendTop + kLegendLine * static_cast<double>(legend_[k].line);
+      if (!s.name.en.empty()) draw_entry(s, legend_[k].at, y);
     }
   }
 
@@ -247,6 +256,7 @@ class ChartDrawing {
   }
 
   const Chart& chart_;
+  std::vector<LegendPlace> legend_;
   SvgFrame frame_;
   SvgCanvas canvas_;
   Scale x_, y_;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "proofmass/report/coefficient_text.hpp"
@@ -58,16 +57,12 @@ std::string coefficients_table(const Text& caption, std::span<const Term> terms,
 }
 
 ShownUnit error_unit(const Comparison& comparison) {
-  const Unit& output = first_result(comparison.contestants.front()).output_unit;
   double least = std::numeric_limits<double>::infinity();
   for (const Contestant& c : comparison.contestants) {
     for (const auto& part : {c.train, c.test})
       if (part && part->rmse.mean > 0.0) least = std::min(least, part->rmse.mean);
   }
-  ShownUnit unit =
-      shown_unit(output, std::isfinite(least) ? least * output.to_canonical : output.to_canonical);
-  unit.factor *= output.to_canonical;
-  return unit;
+  return shown_from_declared(first_result(comparison.contestants.front()).output_unit, least);
 }
 
 std::string spread_cell(const Spread& spread, int digits) {

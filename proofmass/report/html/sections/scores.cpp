@@ -11,9 +11,7 @@ namespace {
 
 std::optional<Section> scores_section(const IdentificationContext& context) {
   const Identification& result = context.run.identification;
-  const double size = result.train ? result.train->rmse * result.output_unit.to_canonical : 0.0;
-  ShownUnit unit = shown_unit(result.output_unit, size > 0.0 ? size : result.output_unit.to_canonical);
-  unit.factor *= result.output_unit.to_canonical;
+  const ShownUnit unit = shown_from_declared(result.output_unit, result.train ? result.train->rmse : 0.0);
   Table table(text_of(Label::scores),
               {{text_of(Label::part), Align::left},
                {text_of(Label::rows)},

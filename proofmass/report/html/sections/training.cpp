@@ -89,11 +89,11 @@ Chart swarm_chart(const Identification& result) {
 }
 
 // The course of another search or iteration: each by its own name, for they have nothing in common.
-Chart course_chart(const Curve& curve) {
+Chart course_chart(const Curve& curve, std::size_t number) {
   const auto [least, largest] = std::minmax_element(curve.values.begin(), curve.values.end());
   constexpr double kLogFrom = 10.0;
   const Text name = curve_name(curve.name);
-  Chart chart{.id = "course-" + std::string(curve.name == "information_criterion" ? "criterion" : "search"),
+  Chart chart{.id = "course-" + std::to_string(number),
               .title = name,
               .x = {.label = text_of(Label::step)},
               .y = {.label = name, .log = *least > 0.0 && *largest > kLogFrom * *least},
@@ -127,7 +127,8 @@ std::optional<Section> training_section(const IdentificationContext& context) {
   for (const Curve& curve : result.history) {
     const bool training = std::any_of(kTrainingCurves.begin(), kTrainingCurves.end(),
                                       [&](const Known& known) { return known.name == curve.name; });
-    if (!training && !is_of_swarm(curve) && !curve.values.empty()) charts.push_back(course_chart(curve));
+    if (!training && !is_of_swarm(curve) && !curve.values.empty())
+      charts.push_back(course_chart(curve, charts.size()));
   }
   std::string figures;
   for (const Chart& chart : charts)
