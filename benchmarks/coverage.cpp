@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "clean_records.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/numeric/parallel.hpp"
 #include "proofmass/numeric/random.hpp"
@@ -27,8 +28,6 @@
 namespace {
 
 using namespace proofmass;
-
-constexpr double kUg = 1e-6;  // g
 
 struct Kind {
   std::string name;
@@ -50,13 +49,6 @@ StaticModel draw_sensor(const StaticModel& paper, RandomStream& random) {
     sensor.coefficients.push_back(offset + (random.uniform() < 0.5 ? -size : size));
   }
   return sensor;
-}
-
-SimulationPlan sphere(double sigma) {
-  SimulationPlan plan;
-  plan.sphere = SphereInputs{};
-  plan.noise.sigma = sigma;
-  return plan;
 }
 
 SimulationPlan growing() {
@@ -97,16 +89,6 @@ SimulationPlan mounts(const char* file) {
   return plan;
 }
 
-// Known noise between 1 and 100 ug, different from row to row.
-void add_known_noise(Dataset& record, RandomStream& random) {
-  record.output_sigma.clear();
-  for (double& e : record.output) {
-    const double sigma = kUg * std::pow(100.0, random.uniform());
-    record.output_sigma.push_back(sigma);
-    e += sigma * random.normal();
-  }
-}
-
 // An offset of each mount, ten times the noise.
 void add_offsets_of_mounts(Dataset& record, RandomStream& random) {
   std::map<std::string, double> offsets;
@@ -127,7 +109,7 @@ std::vector<Kind> kinds() {
        .method = Wls{},
        .plan = sphere(0.1 * kUg),
        .rows = 500,
-       .also = add_known_noise},
+       .also = add_uneven_noise},
       {.name = "noise that grows with \\|A\\|", .method = Ols{}, .plan = growing(), .rows = 500},
       {.name = "noise that grows with \\|A\\|",
        .method = Ols{},

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "clean_records.hpp"
 #include "proofmass/core/error.hpp"
 #include "proofmass/identify/model/identifiability.hpp"
 #include "proofmass/numeric/parallel.hpp"
@@ -30,8 +31,6 @@
 namespace {
 
 using namespace proofmass;
-
-constexpr double kUg = 1e-6;  // g
 
 // A kind of records: how they are made, and what is right for them.
 struct Kind {
@@ -62,13 +61,6 @@ SimulationPlan one_axis(double sigma) {
   plan.mounted = MountedInputs{
       .mounts = {{.name = "in", .radial = {1.0, 0.0, 0.0}}, {.name = "out", .radial = {-1.0, 0.0, 0.0}}},
       .levels = {1.0, 2.0, 5.0, 10.0, 20.0}};
-  plan.noise.sigma = sigma;
-  return plan;
-}
-
-SimulationPlan sphere(double sigma) {
-  SimulationPlan plan;
-  plan.sphere = SphereInputs{};
   plan.noise.sigma = sigma;
   return plan;
 }
@@ -110,16 +102,6 @@ SimulationPlan short_tumble(double sigma) {
 // The mount of a position is the plane that it is in.
 void name_planes(Dataset& record, RandomStream& /*random*/) {
   for (std::string& mount : record.mount) mount.resize(2);
-}
-
-// Noise between 1 and 100 ug, different from row to row, and known.
-void add_uneven_noise(Dataset& record, RandomStream& random) {
-  record.output_sigma.clear();
-  for (double& e : record.output) {
-    const double sigma = kUg * std::pow(100.0, random.uniform());
-    record.output_sigma.push_back(sigma);
-    e += sigma * random.normal();
-  }
 }
 
 // Noise between 10 and 100 ug, different from mount to mount.

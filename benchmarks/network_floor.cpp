@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "clean_records.hpp"
 #include "proofmass/numeric/random.hpp"
 #include "proofmass/pipeline.hpp"
 #include "proofmass/stand/twin/simulation.hpp"
@@ -24,7 +25,6 @@ namespace {
 
 using namespace proofmass;
 
-constexpr double kUg = 1e-6;  // g
 constexpr double kAbove = 1.06;
 constexpr double kFarAbove = 1.15;
 
